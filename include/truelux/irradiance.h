@@ -1,0 +1,84 @@
+// The oracle: scene + receiver -> irradiance.
+
+#ifndef TRUELUX_IRRADIANCE_H_
+#define TRUELUX_IRRADIANCE_H_
+
+#include <memory>
+
+#include "truelux/geometry.h"
+#include "truelux/receiver.h"
+#include "truelux/scene.h"
+#include "truelux/statistics.h"
+#include "truelux/visibility.h"
+
+namespace truelux {
+
+class ContourEngine;
+
+/// kContour walks the edges; kArrangement builds the whole view as an exact
+/// planar map and is slow. They share no line of visibility and agree.
+enum class Engine { kContour, kArrangement };
+
+/// kCertified: the binary64 nearest to the true value.
+/// kDouble: the same exact visibility, summed in double, with a proven bound.
+enum class Method { kCertified, kDouble };
+
+/// How a scene's emission (Ke) is read: as radiant exitance M [W/m^2], or as
+/// radiance L [W/m^2/sr], M = pi L.
+enum class Emission { kExitance, kRadiance };
+
+/// The closed form that is summed over the visible contour. With kCertified
+/// the result does not depend on it.
+enum class Formula {
+  kLambert,      ///< arcs: Stark 2000 eq. (3), corrected; docs/method.md
+  kHomogeneous,  ///< vertices: Stark 2000 Figure 11, corrected, frame-free
+};
+
+struct OracleOptions {
+  Engine engine = Engine::kContour;
+  Method method = Method::kCertified;
+  Emission emission = Emission::kExitance;
+  Formula formula = Formula::kLambert;
+};
+
+/// Irradiance at a receiver, with how it was found.
+struct Irradiance {
+  Rgb value{};  ///< E [W/m^2]; +inf if too large for binary64
+  /// Bound on |value - E|, per channel [W/m^2]. kCertified: half the distance
+  /// of value to its farther neighbour; kDouble: a proven bound, rounded up.
+  Rgb bound{};
+  Statistics statistics;
+};
+
+/// Answers for one scene. Const methods may be called from several threads;
+/// copies share what was prepared.
+class Oracle {
+ public:
+  explicit Oracle(Scene scene, const OracleOptions& options = {});
+
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+
+  [[nodiscard]] const OracleOptions& options() const { return options_; }
+
+  /// E(r) = (1/pi) * integral over d with n.d > 0 of M(first face hit along
+  /// d) cos(n, d). Requires a finite receiver with a normal that is not zero
+  /// and 0 <= on_face <= number of faces (std::invalid_argument otherwise).
+  /// The result does not depend on the engine or on the thread.
+  [[nodiscard]] Irradiance Evaluate(const Receiver& receiver) const;
+
+  /// The form factor of one face [1]: E with that face's M = 1 and the
+  /// others' 0, all faces blocking as ever. face: its number, from 1.
+  [[nodiscard]] Irradiance FormFactor(const Receiver& receiver, int face) const;
+
+  /// The visible contour of every source that is visible from the receiver.
+  [[nodiscard]] VisibleContour Contour(const Receiver& receiver) const;
+
+ private:
+  Scene scene_;
+  OracleOptions options_;
+  std::shared_ptr<const ContourEngine> contour_engine_;
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_IRRADIANCE_H_

@@ -1,0 +1,33 @@
+// Visible contour -> irradiance.
+
+#ifndef TRUELUX_RADIOMETRY_EVALUATE_H_
+#define TRUELUX_RADIOMETRY_EVALUATE_H_
+
+#include "truelux/irradiance.h"
+
+#include "visibility/contour.h"
+
+namespace truelux {
+
+/// How a contour is evaluated.
+struct EvaluationQuery {
+  Method method = Method::kCertified;
+  Emission emission = Emission::kExitance;
+  Formula formula = Formula::kLambert;
+};
+
+/// Sum over the contour's sources of M_source * F_source, per channel, where
+/// M is the emission of the source's face (or 1 if query.only_source is set).
+///
+/// kCertified  the binary64 nearest to the true sum: double-double with a
+///             running bound, then MPFR with growing precision until the
+///             enclosure rounds one way; a midpoint still enclosed at 4096
+///             bits or more is a tie and goes to even.
+/// kDouble     double with a running bound on |error|, rounded up.
+/// The statistics are the contour's, with the evaluation's added.
+Irradiance EvaluateContour(const ContourQuery& query, const Contour& contour,
+                           const EvaluationQuery& evaluation);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_RADIOMETRY_EVALUATE_H_

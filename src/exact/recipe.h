@@ -172,9 +172,8 @@ class RecipeEvaluator {
             FromExact<NT>::Of(v.z)};
   }
 
-  Vec3<NT> UnsignedPlane(
-      const PlaneRecipe& p,
-      std::span<const Vec3<Exact>> explicit_vectors) const {
+  Vec3<NT> UnsignedPlane(const PlaneRecipe& p,
+                         std::span<const Vec3<Exact>> explicit_vectors) const {
     switch (p.kind) {
       case PlaneRecipe::Kind::kEdge:
         // b - a, not b - r: the edge itself is short where the source is

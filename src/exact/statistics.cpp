@@ -5,6 +5,7 @@
 namespace truelux {
 
 StageCounts& StageCounts::operator+=(const StageCounts& other) {
+  symbolic += other.symbolic;
   filter += other.filter;
   interval += other.interval;
   exact += other.exact;

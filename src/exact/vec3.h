@@ -34,8 +34,7 @@ NT Dot(const Vec3<NT>& a, const Vec3<NT>& b) {
 
 template <class NT>
 Vec3<NT> Cross(const Vec3<NT>& a, const Vec3<NT>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
-          a.x * b.y - a.y * b.x};
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 /// det(a, b, c), the rows a, b, c.

@@ -1,0 +1,418 @@
+// The staged predicates: sign, cheapest stage, agreement of the stages, rates.
+
+#include "exact/view_geometry.h"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "support/portable_random.h"
+
+namespace truelux {
+namespace {
+
+using testing::PortableRandom;
+
+/// A few triangles and a receiver, kept alive together.
+struct Fixture {
+  std::vector<Point3> vertices;
+  std::vector<Triangle> triangles;
+  std::vector<FilteredPlane> normals;
+  Point3 position;
+  Vector3 normal{0, 0, 1};
+
+  void AddTriangle(const Point3& a, const Point3& b, const Point3& c) {
+    const int first = static_cast<int>(vertices.size());
+    vertices.insert(vertices.end(), {a, b, c});
+    triangles.push_back({{first, first + 1, first + 2}, 0});
+  }
+
+  ViewGeometry Make() {
+    normals = FilteredTriangleNormals(vertices, triangles);
+    return ViewGeometry({vertices, triangles, position, normal}, normals);
+  }
+};
+
+enum class Stage { kFilter, kInterval, kExact };
+
+void ExpectStage(const StageCounts& counts, Stage stage) {
+  EXPECT_EQ(counts.filter, stage == Stage::kFilter ? 1U : 0U);
+  EXPECT_EQ(counts.interval, stage == Stage::kInterval ? 1U : 0U);
+  EXPECT_EQ(counts.exact, stage == Stage::kExact ? 1U : 0U);
+}
+
+constexpr double kUlp = 0x1p-52;
+
+/// Coordinates of about 40 bits: sums are exact, products are not.
+constexpr double kA = 1 + 0x1p-39;
+constexpr double kB = 3 - 0x1p-38;
+constexpr double kC = 5 + 0x1p-37;
+
+struct ReceiverCase {
+  const char* what;
+  Point3 receiver;
+  std::array<Point3, 3> corners;
+  Sign sign;
+  Stage stage;
+};
+
+class ReceiverSideCoverage : public ::testing::TestWithParam<ReceiverCase> {};
+
+TEST_P(ReceiverSideCoverage, HasSignAtCheapestStage) {
+  const ReceiverCase& c = GetParam();
+  Fixture f;
+  f.position = c.receiver;
+  f.AddTriangle(c.corners[0], c.corners[1], c.corners[2]);
+  const RoundUpward rounding;
+  ViewGeometry g = f.Make();
+  EXPECT_EQ(g.ReceiverSide(0), c.sign) << c.what;
+  ExpectStage(g.statistics().receiver_side, c.stage);
+  EXPECT_EQ(g.ReceiverSideExact(0), c.sign);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, ReceiverSideCoverage,
+    ::testing::Values(
+        ReceiverCase{"normal points away",
+                     {0, 0, 0},
+                     {{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}},
+                     Sign::kPositive,
+                     Stage::kFilter},
+        ReceiverCase{"r in front",
+                     {0, 0, 0},
+                     {{{0, 0, 1}, {0, 1, 1}, {1, 0, 1}}},
+                     Sign::kNegative,
+                     Stage::kFilter},
+        ReceiverCase{"in the plane, few bits",
+                     {1, 2, 3},
+                     {{{2, 4, 6}, {3, 1, 5}, {0, 5, 4}}},
+                     Sign::kZero,
+                     Stage::kInterval},
+        ReceiverCase{"in the plane, many bits",
+                     {kA, kB, kC},
+                     {{{kA + kB, kB + kC, kC + kA},
+                       {kA + kC, kB + kB, kC + kC},
+                       {kA + kB + kC, kB + kC + kB, kC + kA + kC}}},
+                     Sign::kZero,
+                     Stage::kExact},
+        ReceiverCase{
+            "the same, one ulp off",
+            {kA, kB, kC},
+            {{{kA + kB, kB + kC, kC + kA},
+              {kA + kC, kB + kB, kC + kC},
+              {kA + kB + kC, kB + kC + kB, (kC + kA + kC) * (1 + kUlp)}}},
+            Sign::kNegative,
+            Stage::kExact},
+        ReceiverCase{"products underflow",
+                     {0, 0, 0},
+                     {{{0, 0, 0x1p-600},
+                       {0x1p-600, 0, 0x1p-600},
+                       {0, 0x1p-600, 0x1p-600}}},
+                     Sign::kPositive,
+                     Stage::kExact},
+        ReceiverCase{
+            "products overflow",
+            {0, 0, 0},
+            {{{0, 0, 0x1p600}, {0x1p600, 0, 0x1p600}, {0, 0x1p600, 0x1p600}}},
+            Sign::kPositive,
+            Stage::kInterval}));
+
+struct OrderCase {
+  const char* what;
+  std::array<Point3, 2> first;  ///< edge whose plane is crossed
+  std::array<Point3, 2> second;
+  Sign sign;
+  Stage stage;
+};
+
+class EdgeOrderCoverage : public ::testing::TestWithParam<OrderCase> {};
+
+/// The edge runs along x at (x, 0, 1), x = -8 .. 8.
+TEST_P(EdgeOrderCoverage, HasSignAtCheapestStage) {
+  const OrderCase& c = GetParam();
+  Fixture f;
+  f.vertices = {{-8, 0, 1}, {8, 0, 1},   c.first[0],
+                c.first[1], c.second[0], c.second[1]};
+  const RoundUpward rounding;
+  ViewGeometry g = f.Make();
+  const int u = g.VertexDirection(0);
+  const int v = g.VertexDirection(1);
+  const auto edge = [&g](int a, int b) {
+    return g.AddPlane({.kind = PlaneRecipe::Kind::kEdge, .a = a, .b = b});
+  };
+  const int n = edge(0, 1);
+  const auto crossing = [&](int plane) {
+    return Crossing{plane, g.PlaneSide(plane, u), g.PlaneSide(plane, v)};
+  };
+  const Crossing a = crossing(edge(2, 3));
+  const Crossing b = crossing(edge(4, 5));
+  EXPECT_EQ(g.EdgeOrder(n, a, b), c.sign) << c.what;
+  ExpectStage(g.statistics().edge_order, c.stage);
+  EXPECT_EQ(g.EdgeOrderExact(n, a, b), c.sign);
+  // Antisymmetry, and independence of the direction of the crossed edge.
+  EXPECT_EQ(g.EdgeOrder(n, b, a), -c.sign);
+  EXPECT_EQ(g.EdgeOrder(n, crossing(edge(3, 2)), b), c.sign);
+  EXPECT_EQ(g.EdgeOrderExact(n, a, crossing(edge(5, 4))), c.sign);
+}
+
+constexpr double kX = 1 + 0x1p-30;  // 31 bits; its multiples below are exact
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, EdgeOrderCoverage,
+    ::testing::Values(OrderCase{"left of",
+                                {{{-1, -1, 1}, {-1, 1, 1}}},
+                                {{{2, -1, 1}, {2, 1, 1}}},
+                                Sign::kNegative,
+                                Stage::kFilter},
+                      OrderCase{"right of, crossed downwards",
+                                {{{3, 1, 1}, {3, -1, 1}}},
+                                {{{2, -1, 1}, {2, 1, 1}}},
+                                Sign::kPositive,
+                                Stage::kFilter},
+                      OrderCase{"same point, other depth and slope",
+                                {{{1, -1, 1}, {1, 1, 1}}},
+                                {{{4, -2, 2}, {0, 2, 2}}},
+                                Sign::kZero,
+                                Stage::kInterval},
+                      OrderCase{"same point, many bits",
+                                {{{kX, -kX, 1}, {kX, kX * 3, 1}}},
+                                {{{kX * 5, -kX * 3, 2}, {-kX, kX * 3, 2}}},
+                                Sign::kZero,
+                                Stage::kExact},
+                      OrderCase{"the same, one ulp off",
+                                {{{kX * (1 + kUlp), -kX, 1},
+                                  {kX * (1 + kUlp), kX * 3, 1}}},
+                                {{{kX * 5, -kX * 3, 2}, {-kX, kX * 3, 2}}},
+                                Sign::kPositive,
+                                Stage::kExact}));
+
+TEST(PlaneSide, IsZeroAtTheEndsOfItsOwnEdge) {
+  PortableRandom random(3);
+  for (int i = 0; i < 500; ++i) {
+    Fixture f;
+    f.position = {random.Uniform(-1, 1), random.Uniform(-1, 1), 0.1};
+    for (int k = 0; k < 2; ++k) {
+      f.vertices.push_back(
+          {random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(1, 2)});
+    }
+    const RoundUpward rounding;
+    ViewGeometry g = f.Make();
+    const int plane =
+        g.AddPlane({.kind = PlaneRecipe::Kind::kEdge, .a = 0, .b = 1});
+    for (const int vertex : {0, 1}) {
+      const int d = g.VertexDirection(vertex);
+      EXPECT_EQ(g.PlaneSide(plane, d).sign, Sign::kZero);
+      EXPECT_EQ(g.PlaneSideExact(plane, d), Sign::kZero);
+    }
+    EXPECT_EQ(g.statistics().plane_side.symbolic, 2U);
+  }
+}
+
+TEST(PlaneSide, ClippedEndsLieExactlyOnTheClippingPlane) {
+  PortableRandom random(4);
+  for (int i = 0; i < 200; ++i) {
+    Fixture f;
+    f.position = {random.Uniform(-1, 1), random.Uniform(-1, 1),
+                  random.Uniform(-1, 1)};
+    f.normal = {random.Uniform(-1, 1), random.Uniform(-1, 1), 1};
+    f.AddTriangle({random.Uniform(-1, 1), random.Uniform(-1, 1), 9},
+                  {random.Uniform(-1, 1), random.Uniform(-1, 1), -9},
+                  {random.Uniform(2, 3), random.Uniform(-1, 1), 0.5});
+    // A plane between the heights of vertices 0 and 1.
+    f.AddTriangle({5, 1, random.Uniform(-1, 1)}, {-5, 1, random.Uniform(-1, 1)},
+                  {0, -5, random.Uniform(-1, 1)});
+    const RoundUpward rounding;
+    ViewGeometry g = f.Make();
+    const int horizon = g.AddPlane({.kind = PlaneRecipe::Kind::kHorizon});
+    const int up = g.AddDirection(
+        {.kind = DirectionRecipe::Kind::kEdgeAtHorizon, .a = 0, .b = 1});
+    EXPECT_EQ(g.PlaneSide(horizon, up).sign, Sign::kZero);
+    const bool front = g.VertexSide(1, 0) == Sign::kPositive;
+    const int cut_end =
+        g.AddDirection({.kind = DirectionRecipe::Kind::kEdgeAtPlane,
+                        .a = front ? 0 : 1,
+                        .b = front ? 1 : 0,
+                        .c = 1});
+    const int cut =
+        g.AddPlane({.kind = PlaneRecipe::Kind::kCut, .a = 1, .b = 0});
+    const int edge =
+        g.AddPlane({.kind = PlaneRecipe::Kind::kEdge, .a = 0, .b = 1});
+    EXPECT_EQ(g.PlaneSide(cut, cut_end).sign, Sign::kZero);
+    EXPECT_EQ(g.PlaneSide(edge, cut_end).sign, Sign::kZero);
+    EXPECT_EQ(g.PlaneSide(edge, up).sign, Sign::kZero);
+    EXPECT_EQ(g.statistics().plane_side.symbolic, 4U);
+    for (const auto& [plane, end] : {std::pair{horizon, up},
+                                     {cut, cut_end},
+                                     {edge, cut_end},
+                                     {edge, up}}) {
+      EXPECT_EQ(g.PlaneSideExact(plane, end), Sign::kZero);
+    }
+  }
+}
+
+/// A direction almost in the plane of an edge: a combination of its ends,
+/// rounded, and nudged.
+TEST(PlaneSide, StagesAgreeOnNearTies) {
+  PortableRandom random(5);
+  StageCounts total;
+  int zeros = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Fixture f;
+    const bool lattice = i % 2 == 0;
+    const auto coordinate = [&] {
+      return lattice ? random.Integer(-4, 4) + 0.0 : random.Uniform(-4, 4);
+    };
+    const Point3 a{coordinate(), coordinate(), coordinate()};
+    const Point3 b{coordinate(), coordinate(), coordinate()};
+    const double s = lattice ? random.Integer(-2, 2) : random.Uniform(-1, 1);
+    const double t = lattice ? random.Integer(-2, 2) : random.Uniform(-1, 1);
+    Point3 c{s * a.x + t * b.x, s * a.y + t * b.y, s * a.z + t * b.z};
+    if (i % 3 == 0) c.y = random.Nudge(c.y);
+    if (i % 5 == 0) c.z += 0x1p-40;
+    f.vertices = {a, b, c};
+    const RoundUpward rounding;
+    ViewGeometry g = f.Make();
+    const int plane =
+        g.AddPlane({.kind = PlaneRecipe::Kind::kEdge, .a = 0, .b = 1});
+    const int d = g.VertexDirection(2);
+    const Sign exact = g.PlaneSideExact(plane, d);
+    if (const auto sign = g.PlaneSideInterval(plane, d)) {
+      ASSERT_EQ(*sign, exact) << "sample " << i;
+    }
+    if (const auto sign = TrySign(g.PlaneSideFilter(plane, d))) {
+      ASSERT_EQ(*sign, exact) << "sample " << i;
+    }
+    EXPECT_EQ(g.PlaneSide(plane, d).sign, exact);
+    zeros += exact == Sign::kZero ? 1 : 0;
+    total += g.statistics().plane_side;
+  }
+  EXPECT_GT(zeros, 2000);
+  EXPECT_GT(total.filter, 500U);
+  EXPECT_GT(total.interval, 2000U);
+  EXPECT_GT(total.exact, 2000U);
+}
+
+TEST(EdgeOrder, StagesAgreeOnNearTiesAndAreTransitive) {
+  PortableRandom random(6);
+  StageCounts total;
+  int zeros = 0;
+  for (int i = 0; i < 4000; ++i) {
+    Fixture f;
+    f.vertices = {{-8, 0.25, 1}, {8, -0.5, 1}};
+    const bool lattice = i % 2 == 0;
+    const double x = lattice ? random.Integer(-3, 3) : random.Uniform(-3, 3);
+    for (int k = 0; k < 3; ++k) {  // edges through (almost) one image point
+      const double depth =
+          lattice ? random.Integer(1, 4) : random.Uniform(0.5, 2);
+      const double dx = lattice ? random.Integer(-2, 2) : random.Uniform(-2, 2);
+      const double dy = lattice ? random.Integer(1, 3) : random.Uniform(1, 3);
+      const double y = 0.25 - 0.75 * (x + 8) / 16;
+      f.vertices.push_back({(x + dx) * depth, (y + dy) * depth, depth});
+      const double off = i % 5 == 0 ? k * 0x1p-30 : 0.0;
+      f.vertices.push_back(
+          {random.Nudge((x - dx) * depth + off), (y - dy) * depth, depth});
+    }
+    const RoundUpward rounding;
+    ViewGeometry g = f.Make();
+    const int u = g.VertexDirection(0);
+    const int v = g.VertexDirection(1);
+    const int n =
+        g.AddPlane({.kind = PlaneRecipe::Kind::kEdge, .a = 0, .b = 1});
+    std::array<Crossing, 3> c;
+    bool proper = true;
+    for (int k = 0; k < 3; ++k) {
+      const int p = g.AddPlane(
+          {.kind = PlaneRecipe::Kind::kEdge, .a = 2 + 2 * k, .b = 3 + 2 * k});
+      Crossing& crossing = c[static_cast<std::size_t>(k)];
+      crossing = {p, g.PlaneSide(p, u), g.PlaneSide(p, v)};
+      proper =
+          proper && crossing.from.sign * crossing.to.sign == Sign::kNegative;
+    }
+    if (!proper) continue;
+    for (const auto& [a, b] : {std::pair{0, 1}, {1, 2}, {0, 2}}) {
+      const Crossing& ca = c[static_cast<std::size_t>(a)];
+      const Crossing& cb = c[static_cast<std::size_t>(b)];
+      const Sign exact = g.EdgeOrderExact(n, ca, cb);
+      if (const auto s = ViewGeometry::EdgeOrderFilter(ca, cb)) {
+        ASSERT_EQ(*s, exact) << "sample " << i;
+      }
+      if (const auto s = g.EdgeOrderInterval(n, ca, cb)) {
+        ASSERT_EQ(*s, exact) << "sample " << i;
+      }
+      zeros += exact == Sign::kZero ? 1 : 0;
+    }
+    const Sign ab = g.EdgeOrder(n, c[0], c[1]);
+    const Sign bc = g.EdgeOrder(n, c[1], c[2]);
+    const Sign ac = g.EdgeOrder(n, c[0], c[2]);
+    if (ab == bc) {
+      EXPECT_EQ(ac, ab) << "sample " << i;
+    }
+    total += g.statistics().edge_order;
+  }
+  EXPECT_GT(zeros, 500);
+  EXPECT_GT(total.filter, 100U);
+  EXPECT_GT(total.interval, 100U);
+  EXPECT_GT(total.exact, 100U);
+}
+
+TEST(EdgeOrder, GenericInputNeverReachesTheExactStage) {
+  PortableRandom random(7);
+  StageCounts order;
+  StageCounts side;
+  for (int i = 0; i < 5000; ++i) {
+    Fixture f;
+    f.position = {random.Uniform(-1, 1), random.Uniform(-1, 1), 0};
+    for (int k = 0; k < 6; ++k) {
+      f.vertices.push_back(
+          {random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(1, 2)});
+    }
+    const RoundUpward rounding;
+    ViewGeometry g = f.Make();
+    const int u = g.VertexDirection(0);
+    const int v = g.VertexDirection(1);
+    const auto crossing = [&](int a) {
+      const int p =
+          g.AddPlane({.kind = PlaneRecipe::Kind::kEdge, .a = a, .b = a + 1});
+      return Crossing{p, g.PlaneSide(p, u), g.PlaneSide(p, v)};
+    };
+    const int n =
+        g.AddPlane({.kind = PlaneRecipe::Kind::kEdge, .a = 0, .b = 1});
+    const Crossing a = crossing(2);
+    const Crossing b = crossing(4);
+    if (a.from.sign * a.to.sign == Sign::kNegative &&
+        b.from.sign * b.to.sign == Sign::kNegative) {
+      g.EdgeOrder(n, a, b);
+    }
+    order += g.statistics().edge_order;
+    side += g.statistics().plane_side;
+  }
+  EXPECT_GT(order.filter, 500U);
+  EXPECT_EQ(order.exact, 0U);
+  EXPECT_EQ(side.exact, 0U);
+  EXPECT_LT(side.interval, side.filter / 100);
+}
+
+TEST(VertexSide, IsZeroForOwnCornersAndIndependentOfTheReceiver) {
+  PortableRandom random(8);
+  for (int i = 0; i < 300; ++i) {
+    Fixture f;
+    const auto point = [&random] {
+      return Point3{random.Uniform(-1, 1), random.Uniform(-1, 1),
+                    random.Uniform(-1, 1)};
+    };
+    f.AddTriangle(point(), point(), point());
+    f.vertices.push_back(point());
+    const RoundUpward rounding;
+    ViewGeometry first = f.Make();
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_EQ(first.VertexSide(0, k), Sign::kZero);
+    }
+    const Sign side = first.VertexSide(0, 3);
+    f.position = point();
+    EXPECT_EQ(f.Make().VertexSide(0, 3), side);
+    EXPECT_EQ(first.VertexSideExact(0, 3), side);
+  }
+}
+
+}  // namespace
+}  // namespace truelux

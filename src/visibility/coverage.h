@@ -1,0 +1,111 @@
+// What cones do along one edge: the interval of the edge inside each cone, on
+// which side, and the sweep that tells visible from hidden.
+
+#ifndef TRUELUX_VISIBILITY_COVERAGE_H_
+#define TRUELUX_VISIBILITY_COVERAGE_H_
+
+#include <optional>
+#include <vector>
+
+#include "exact/view_geometry.h"
+#include "visibility/cone.h"
+
+namespace truelux {
+
+/// An edge through the view: the arc from one direction to another, in a
+/// plane whose normal is a positive multiple of from x to.
+struct ViewEdge {
+  int plane = -1;
+  int from = -1;
+  int to = -1;
+};
+
+/// A position on a ViewEdge.
+struct EdgePosition {
+  enum class Kind : signed char { kFrom, kCrossing, kTo };
+  Kind kind = Kind::kFrom;
+  Crossing crossing;  ///< if kCrossing; strictly between from and to
+};
+
+/// The open interval of an edge inside a cone.
+struct Cover {
+  EdgePosition begin{EdgePosition::Kind::kFrom, {}};
+  EdgePosition end{EdgePosition::Kind::kTo, {}};
+  /// kZero: the cone lies on both sides of the edge. Otherwise one of the
+  /// cone's planes is the edge's plane, and the cone lies only on the side
+  /// N . d > 0 (kPositive) or N . d < 0 (kNegative).
+  Sign side = Sign::kZero;
+  int coincident = -1;  ///< if side is not kZero: which edge of the cone
+
+  [[nodiscard]] bool Whole() const {
+    return begin.kind == EdgePosition::Kind::kFrom &&
+           end.kind == EdgePosition::Kind::kTo;
+  }
+};
+
+/// Order of two positions on an edge; kNegative: a comes first. Exact.
+Sign ComparePositions(ViewGeometry& geometry, const ViewEdge& edge,
+                      const EdgePosition& a, const EdgePosition& b);
+
+/// The part of an edge inside a cone, nothing if it is empty. Exact. A cone
+/// that touches the edge only from one side, along one of its own edges,
+/// covers that side (method.md, section 4).
+std::optional<Cover> CoverOf(ViewGeometry& geometry, const ViewEdge& edge,
+                             const Cone& cone);
+
+/// A piece of an edge of which exactly one side is visible.
+struct VisiblePiece {
+  EdgePosition begin;
+  EdgePosition end;
+  bool positive = true;  ///< the visible side is N . d > 0
+};
+
+/// Collects what happens along one edge, then finds its visible pieces. Used
+/// again for every edge, without allocation in the steady state.
+class EdgeSweep {
+ public:
+  explicit EdgeSweep(ViewGeometry& geometry) : geometry_(geometry) {}
+
+  void Start(const ViewEdge& edge);
+
+  /// The source is there.
+  void AddSource(const Cover& cover) { Add(cover, Role::kSource); }
+
+  /// A blocker hides what is there.
+  void AddBlocker(const Cover& cover) { Add(cover, Role::kBlocker); }
+
+  /// A candidate edge in the same plane, with a smaller id than this one,
+  /// which owns the arcs there.
+  void AddOwner(const Cover& cover) { Add(cover, Role::kOwner); }
+
+  /// The pieces that have exactly one visible side and no other owner, in
+  /// order along the edge. Valid until the next Start.
+  const std::vector<VisiblePiece>& Finish();
+
+ private:
+  enum class Role : signed char { kSource, kBlocker, kOwner };
+
+  /// One end of a cover: counts change by `step` there.
+  struct Event {
+    EdgePosition position;
+    Role role;
+    Sign side;
+    int step;
+  };
+
+  void Add(const Cover& cover, Role role);
+  void Apply(const Event& event);
+
+  ViewGeometry& geometry_;
+  ViewEdge edge_;
+  std::vector<Event> events_;
+  std::vector<VisiblePiece> pieces_;
+  // How many covers hold at the current position: [side N.d < 0, N.d > 0].
+  int source_[2] = {0, 0};
+  int blocker_[2] = {0, 0};
+  int owner_ = 0;
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_COVERAGE_H_

@@ -1,0 +1,178 @@
+#include "visibility/view_edges.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+namespace truelux {
+namespace {
+
+std::size_t Index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+DirectionRecipe VertexRecipe(int v) {
+  return {.kind = DirectionRecipe::Kind::kVertex, .a = v};
+}
+
+}  // namespace
+
+ViewEdges::ViewEdges(const ContourQuery& query, int facet)
+    : query_(query),
+      view_(ViewOf(query)),
+      exact_(view_),
+      interval_(view_),
+      facet_(facet),
+      source_triangle_(query.scene.facets()[Index(facet)].first_triangle) {
+  const std::vector<bool> ignored = IgnoredFacets(query);
+  std::vector<int> relevant;
+  for (int t = 0; t < static_cast<int>(view_.triangles.size()); ++t) {
+    const std::size_t f = Index(view_.triangles[Index(t)].facet);
+    if (!ignored.empty() && ignored[f]) continue;
+    if (Relevant(t)) relevant.push_back(t);
+  }
+  AddSceneEdges(relevant);
+  for (const int t : relevant)
+    AddCut(t);
+}
+
+Exact ViewEdges::AbovePlane(int vertex) const {
+  return exact_.AboveTriangle(source_triangle_, vertex);
+}
+
+/// Of the source itself, or a triangle that blocks it somewhere (its plane
+/// not through r, some part strictly in front, or coplanar and earlier).
+bool ViewEdges::Relevant(int triangle) const {
+  const Triangle& t = view_.triangles[Index(triangle)];
+  if (t.facet == facet_) return true;
+  bool any_front = false;
+  bool all_on = true;
+  for (const int v : t.vertices) {
+    const Sign side = SignOf(AbovePlane(v));
+    any_front = any_front || side == Sign::kPositive;
+    all_on = all_on && side == Sign::kZero;
+  }
+  const auto facets = query_.scene.facets();
+  const bool earlier = facets[Index(t.facet)].face < facets[Index(facet_)].face;
+  if (!any_front && !(all_on && earlier)) return false;
+  return SignOf(exact_.Height(triangle)) != Sign::kZero;
+}
+
+void ViewEdges::AddSceneEdges(const std::vector<int>& relevant) {
+  // Per edge: the triangles on it, with the side of their third corner.
+  struct Neighbour {
+    int facet;
+    Sign side;
+  };
+
+  std::map<std::pair<int, int>, std::vector<Neighbour>> neighbours;
+  for (const int t : relevant) {
+    const Triangle& triangle = view_.triangles[Index(t)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [a, b] =
+          std::minmax(triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
+      const Vec3<Exact> plane =
+          Cross(exact_.FromReceiver(a), exact_.FromReceiver(b));
+      const Sign side = SignOf(
+          Dot(plane, exact_.FromReceiver(triangle.vertices[(k + 2) % 3])));
+      neighbours[{a, b}].push_back({triangle.facet, side});
+    }
+  }
+  for (const auto& [key, sides] : neighbours) {
+    const auto inner = [&sides = sides, this](const Neighbour& n) {
+      return std::ranges::any_of(sides, [&](const Neighbour& other) {
+        const bool diagonal = n.facet == other.facet;
+        const bool both_block = n.facet != facet_ && other.facet != facet_;
+        return (diagonal || both_block) &&
+               n.side * other.side == Sign::kNegative;
+      });
+    };
+    if (std::ranges::all_of(sides, inner)) continue;
+    AddEdge(VertexRecipe(key.first), VertexRecipe(key.second), key.first,
+            key.second);
+  }
+}
+
+/// The line where a blocker meets the source's plane, if it crosses it.
+void ViewEdges::AddCut(int triangle) {
+  const Triangle& t = view_.triangles[Index(triangle)];
+  if (t.facet == facet_) return;
+  std::array<Sign, 3> side{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    side[k] = SignOf(AbovePlane(t.vertices[k]));
+  }
+  std::vector<std::pair<DirectionRecipe, int>> ends;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    const int a = t.vertices[k];
+    const int b = t.vertices[next];
+    if (side[k] == Sign::kZero) ends.emplace_back(VertexRecipe(a), a);
+    if (side[k] * side[next] == Sign::kNegative) {
+      const bool a_in_front = side[k] == Sign::kPositive;
+      ends.emplace_back(
+          DirectionRecipe{.kind = DirectionRecipe::Kind::kEdgeAtPlane,
+                          .a = a_in_front ? a : b,
+                          .b = a_in_front ? b : a,
+                          .c = source_triangle_},
+          -1);
+    }
+  }
+  const bool crosses = std::ranges::count(side, Sign::kPositive) > 0 &&
+                       std::ranges::count(side, Sign::kNegative) > 0 &&
+                       ends.size() == 2;
+  if (!crosses) return;
+  AddEdge(ends[0].first, ends[1].first, ends[0].second, ends[1].second);
+}
+
+void ViewEdges::AddEdge(const DirectionRecipe& from, const DirectionRecipe& to,
+                        int a, int b) {
+  const RoundUpward rounding;
+  edges_.push_back({Cross(interval_.Direction(from, {}, {}),
+                          interval_.Direction(to, {}, {})),
+                    from, to, a, b});
+}
+
+/// Whether the point weight_a a + weight_b b of a scene edge is in front of
+/// the source's plane or on it; a cut is on it.
+bool ViewEdges::InFront(const Edge& edge, const Exact& weight_a,
+                        const Exact& weight_b) const {
+  if (edge.from.kind != DirectionRecipe::Kind::kVertex ||
+      edge.to.kind != DirectionRecipe::Kind::kVertex) {
+    return true;
+  }
+  return SignOf(weight_a * AbovePlane(edge.a) +
+                weight_b * AbovePlane(edge.b)) != Sign::kNegative;
+}
+
+std::vector<ViewEdges::Hit> ViewEdges::Through(const Vec3<Exact>& d) const {
+  std::vector<Hit> hits;
+  const Vec3<Interval> rough{FromExact<Interval>::Of(d.x),
+                             FromExact<Interval>::Of(d.y),
+                             FromExact<Interval>::Of(d.z)};
+  for (const Edge& edge : edges_) {
+    {
+      const RoundUpward rounding;
+      const auto sign = TrySign(Dot(edge.plane, rough));
+      if (sign && *sign != Sign::kZero) continue;
+    }
+    const Vec3<Exact> u = exact_.Direction(edge.from, {}, {});
+    const Vec3<Exact> v = exact_.Direction(edge.to, {}, {});
+    const Vec3<Exact> plane = Cross(u, v);
+    if (SignOf(Dot(plane, d)) != Sign::kZero) continue;
+    // d is a positive multiple of weight_u u + weight_v v.
+    const Exact weight_u = Dot(Cross(d, v), plane);
+    const Exact weight_v = Dot(Cross(u, d), plane);
+    const Sign at_u = SignOf(weight_u);
+    const Sign at_v = SignOf(weight_v);
+    if (at_u == Sign::kNegative || at_v == Sign::kNegative) continue;
+    if (!InFront(edge, weight_u, weight_v)) continue;
+    const int vertex = at_v == Sign::kZero   ? edge.a
+                       : at_u == Sign::kZero ? edge.b
+                                             : -1;
+    hits.push_back({plane, vertex});
+  }
+  return hits;
+}
+
+}  // namespace truelux

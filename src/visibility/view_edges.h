@@ -1,0 +1,66 @@
+// The edges that could bound what is visible of one source, by the plainest
+// exact means: for looking at a contour, not for finding it.
+
+#ifndef TRUELUX_VISIBILITY_VIEW_EDGES_H_
+#define TRUELUX_VISIBILITY_VIEW_EDGES_H_
+
+#include <optional>
+#include <vector>
+
+#include "exact/recipe.h"
+#include "visibility/contour.h"
+
+namespace truelux {
+
+/// The edges of a source facet and of what lies in front of its plane,
+/// without diagonals of faces, without inner edges of blocking meshes, and
+/// with the lines where blockers enter the source's plane.
+class ViewEdges {
+ public:
+  /// query and its scene must outlive the object.
+  ViewEdges(const ContourQuery& query, int facet);
+
+  [[nodiscard]] int facet() const { return facet_; }
+
+  /// An edge that passes through a direction.
+  struct Hit {
+    Vec3<Exact> plane;  ///< normal of the edge's plane through r
+    int vertex = -1;    ///< the scene vertex where it ends there, or -1
+  };
+
+  /// All edges whose closed extent holds the direction d, where they are in
+  /// front of the source's plane or on it. Exact.
+  [[nodiscard]] std::vector<Hit> Through(const Vec3<Exact>& d) const;
+
+ private:
+  /// From direction `from` to direction `to`; a and b are its scene vertices,
+  /// -1 for the ends of a cut.
+  struct Edge {
+    Vec3<Interval> plane;
+    DirectionRecipe from;
+    DirectionRecipe to;
+    int a = -1;
+    int b = -1;
+  };
+
+  [[nodiscard]] Exact AbovePlane(int vertex) const;
+  [[nodiscard]] bool Relevant(int triangle) const;
+  void AddSceneEdges(const std::vector<int>& relevant);
+  void AddCut(int triangle);
+  void AddEdge(const DirectionRecipe& from, const DirectionRecipe& to, int a,
+               int b);
+  [[nodiscard]] bool InFront(const Edge& edge, const Exact& weight_a,
+                             const Exact& weight_b) const;
+
+  const ContourQuery& query_;
+  ReceiverView view_;
+  RecipeEvaluator<Exact> exact_;
+  RecipeEvaluator<Interval> interval_;
+  int facet_;
+  int source_triangle_;
+  std::vector<Edge> edges_;
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_VIEW_EDGES_H_

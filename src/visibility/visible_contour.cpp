@@ -1,0 +1,134 @@
+#include "visibility/visible_contour.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "exact/primitive.h"
+#include "visibility/view_edges.h"
+
+namespace truelux {
+namespace {
+
+/// What coincides in the direction of one vertex.
+struct Coincidence {
+  std::set<PrimitiveVector> planes;  ///< of edges, without sign
+  std::set<int> vertices;            ///< scene vertices exactly there
+  bool passed = false;  ///< an edge passes that does not end at such a vertex
+};
+
+/// Several of: scene vertex, crossing of edges, horizon point. A scene vertex
+/// explains all edges that end there; two planes make one crossing.
+bool IsConjunctive(const Coincidence& c, bool on_horizon) {
+  const std::size_t edges = c.planes.size();
+  if (on_horizon) return !c.vertices.empty() || edges > 1;
+  if (c.vertices.size() > 1) return true;
+  return c.vertices.empty() ? edges > 2 : c.passed;
+}
+
+/// Describes one contour; keeps the vertices found so far.
+class Describer {
+ public:
+  Describer(const ContourQuery& query, const Contour& contour)
+      : query_(query),
+        contour_(contour),
+        view_(ViewOf(query)),
+        evaluator_(view_) {}
+
+  VisibleContour Describe() {
+    for (const SourceArcs& source : contour_.sources)
+      DescribeSource(source);
+    result_.statistics = contour_.statistics;
+    return std::move(result_);
+  }
+
+ private:
+  void DescribeSource(const SourceArcs& source) {
+    const ViewEdges edges(query_, source.facet);
+    const int face =
+        query_.scene.facets()[static_cast<std::size_t>(source.facet)].face;
+    for (int a = source.first_arc; a < source.first_arc + source.arc_count;
+         ++a) {
+      const Arc& arc = contour_.arcs[static_cast<std::size_t>(a)];
+      ContourArc described;
+      described.from = VertexOf(arc.from, edges);
+      described.to = VertexOf(arc.to, edges);
+      described.source = face + 1;
+      described.edge_face = arc.edge_face;
+      const Vec3<Exact> normal =
+          evaluator_.Plane(contour_.planes[static_cast<std::size_t>(arc.plane)],
+                           contour_.explicit_vectors);
+      described.plane_normal =
+          ToDouble(MakePrimitive(arc.positive ? normal : -normal));
+      result_.arcs.push_back(described);
+    }
+  }
+
+  /// The public vertex of a direction. A vertex that bounds several sources
+  /// is described by what coincides in front of any of them.
+  int VertexOf(int direction, const ViewEdges& edges) {
+    const Vec3<Exact> d = evaluator_.Direction(
+        contour_.directions[static_cast<std::size_t>(direction)],
+        contour_.planes, contour_.explicit_vectors);
+    const auto [entry, is_new] = index_.try_emplace(
+        MakePrimitive(d), static_cast<int>(result_.vertices.size()));
+    const auto index = static_cast<std::size_t>(entry->second);
+    if (is_new) {
+      result_.vertices.emplace_back();
+      coincidences_.emplace_back();
+      described_for_.push_back(-1);
+    }
+    if (described_for_[index] == edges.facet()) return entry->second;
+    described_for_[index] = edges.facet();
+    Coincidence& c = coincidences_[index];
+    Collect(edges, d, c);
+    const bool on_horizon =
+        SignOf(Dot(evaluator_.ReceiverNormal(), d)) == Sign::kZero;
+    ContourVertex& vertex = result_.vertices[index];
+    vertex.direction = ToDouble(entry->first);
+    vertex.conjunctive = IsConjunctive(c, on_horizon);
+    vertex.planes = static_cast<int>(c.planes.size()) + (on_horizon ? 1 : 0);
+    if (!c.vertices.empty()) {
+      vertex.kind = VertexKind::kIntrinsic;
+      vertex.vertex = *c.vertices.begin();
+    } else if (on_horizon) {
+      vertex.kind = VertexKind::kHorizon;
+    }
+    return entry->second;
+  }
+
+  void Collect(const ViewEdges& edges, const Vec3<Exact>& d, Coincidence& c) {
+    const Vec3<Exact> normal = evaluator_.ReceiverNormal();
+    for (const ViewEdges::Hit& hit : edges.Through(d)) {
+      const bool is_horizon =
+          SignOf(Dot(Cross(hit.plane, normal), Cross(hit.plane, normal))) ==
+          Sign::kZero;
+      if (!is_horizon) c.planes.insert(WithoutSign(MakePrimitive(hit.plane)));
+      if (hit.vertex >= 0) {
+        c.vertices.insert(hit.vertex);
+      } else {
+        c.passed = true;
+      }
+    }
+  }
+
+  const ContourQuery& query_;
+  const Contour& contour_;
+  ReceiverView view_;
+  RecipeEvaluator<Exact> evaluator_;
+  VisibleContour result_;
+  std::map<PrimitiveVector, int> index_;
+  std::vector<Coincidence> coincidences_;  ///< per vertex of the result
+  std::vector<int> described_for_;         ///< per vertex: last facet
+};
+
+}  // namespace
+
+VisibleContour DescribeContour(const ContourQuery& query,
+                               const Contour& contour) {
+  return Describer(query, contour).Describe();
+}
+
+}  // namespace truelux

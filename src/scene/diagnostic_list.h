@@ -1,0 +1,48 @@
+// Collects what is wrong with one file, within bounds.
+
+#ifndef TRUELUX_SCENE_DIAGNOSTIC_LIST_H_
+#define TRUELUX_SCENE_DIAGNOSTIC_LIST_H_
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "truelux/diagnostics.h"
+
+namespace truelux {
+
+/// The first diagnostics of a file in the order of lines, whatever the order
+/// in which they are found; at most kLimit errors and kLimit notes.
+class DiagnosticList {
+ public:
+  static constexpr std::size_t kLimit = 100;
+
+  explicit DiagnosticList(std::string file);
+
+  void Error(int line, std::string message);
+  void Note(int line, std::string message);
+  void Add(Diagnostic diagnostic);
+
+  [[nodiscard]] const std::string& file() const { return file_; }
+
+  [[nodiscard]] bool has_errors() const { return errors_.total > 0; }
+
+  /// By line; a last line tells how many more there are.
+  [[nodiscard]] std::vector<Diagnostic> Sorted() const;
+
+ private:
+  struct Kept {
+    std::vector<Diagnostic> first;
+    std::size_t total = 0;
+  };
+
+  static void Keep(Kept& kept, Diagnostic diagnostic);
+
+  std::string file_;
+  Kept errors_;
+  Kept notes_;
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_SCENE_DIAGNOSTIC_LIST_H_

@@ -1,0 +1,18 @@
+#include "truelux/diagnostics.h"
+
+#include <string>
+
+namespace truelux {
+
+std::string Diagnostic::Text() const {
+  std::string text = file;
+  if (line > 0) {
+    text += file.empty() ? "line " : ":";
+    text += std::to_string(line);
+  }
+  if (!text.empty()) text += ": ";
+  text += severity == Severity::kError ? "error: " : "note: ";
+  return text + message;
+}
+
+}  // namespace truelux

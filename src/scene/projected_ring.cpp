@@ -1,0 +1,174 @@
+#include "scene/projected_ring.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "exact/vec3.h"
+#include "scene/newell.h"
+
+namespace truelux {
+namespace {
+
+/// A component of the Newell normal whose sign is known not to be zero.
+struct NormalAxis {
+  int axis = 0;
+  Sign sign = Sign::kZero;
+};
+
+/// The component farthest from zero, if intervals can tell.
+std::optional<NormalAxis> TryNormalAxis(const Vec3<Interval>& normal) {
+  std::optional<NormalAxis> best;
+  double best_size = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Interval& component = Component(normal, axis);
+    const double size = std::max(component.inf(), -component.sup());
+    if (size > best_size) {
+      best_size = size;
+      best = {axis, component.inf() > 0 ? Sign::kPositive : Sign::kNegative};
+    }
+  }
+  return best;
+}
+
+/// A component that is not zero; nothing if all are.
+std::optional<NormalAxis> ExactNormalAxis(const Vec3<Exact>& normal) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Sign sign = SignOf(Component(normal, axis));
+    if (sign != Sign::kZero) return NormalAxis{axis, sign};
+  }
+  return std::nullopt;
+}
+
+bool OnOneLine(std::span<const Point3> ring) {
+  const Vec3<Exact> along = Displacement<Exact>(ring[0], ring[1]);
+  return std::ranges::all_of(ring.subspan(2), [&](const Point3& p) {
+    return !ExactNormalAxis(Cross(along, Displacement<Exact>(ring[0], p)));
+  });
+}
+
+bool IsPlanar(std::span<const Point3> ring, const Vec3<Interval>& normal) {
+  bool all_known = true;
+  for (const Point3& p : ring.subspan(1)) {
+    const std::optional<Sign> sign = TrySign(HeightOver(normal, ring[0], p));
+    if (sign && *sign != Sign::kZero) return false;
+    all_known = all_known && sign;
+  }
+  if (all_known) return true;
+  const auto exact_normal = NewellNormal<Exact>(ring);
+  return std::ranges::all_of(ring.subspan(1), [&](const Point3& p) {
+    return SignOf(HeightOver(exact_normal, ring[0], p)) == Sign::kZero;
+  });
+}
+
+/// n_3 (p_axis - o_axis) - n_axis (p_3 - o_3): one axis of the image.
+template <class NT>
+NT ImageCoordinate(const Vec3<NT>& normal, const Vec3<NT>& point, int axis,
+                   int kernel_axis) {
+  return Component(normal, kernel_axis) * Component(point, axis) -
+         Component(normal, axis) * Component(point, kernel_axis);
+}
+
+/// > 0 if c lies to the left of the line from a to b.
+template <class NT>
+NT Turn(const NT& au, const NT& av, const NT& bu, const NT& bv, const NT& cu,
+        const NT& cv) {
+  return (bu - au) * (cv - av) - (bv - av) * (cu - au);
+}
+
+constexpr std::size_t Index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+RingShape ProjectedRing::Project(std::span<const Point3> points) {
+  points_ = points;
+  u_.clear();
+  v_.clear();
+  exact_.clear();
+  const auto normal = NewellNormal<Interval>(points);
+  std::optional<NormalAxis> found = TryNormalAxis(normal);
+  if (!found) found = ExactNormalAxis(NewellNormal<Exact>(points));
+  if (!found) {
+    return OnOneLine(points) ? RingShape::kNoArea : RingShape::kZeroNormal;
+  }
+  if (points.size() == 3) return RingShape::kPlanar;
+  axis_ = found->axis;
+  mirrored_ = found->sign == Sign::kNegative;
+  shape_ =
+      IsPlanar(points, normal) ? RingShape::kPlanar : RingShape::kNotPlanar;
+  ComputeImage(normal);
+  return shape_;
+}
+
+void ProjectedRing::ComputeImage(const Vec3<Interval>& normal) {
+  for (const Point3& p : points_) {
+    if (shape_ == RingShape::kPlanar) {
+      u_.emplace_back(Coordinate(p, UAxis()));
+      v_.emplace_back(Coordinate(p, VAxis()));
+    } else {
+      const auto d = Displacement<Interval>(points_[0], p);
+      u_.push_back(ImageCoordinate(normal, d, UAxis(), axis_));
+      v_.push_back(ImageCoordinate(normal, d, VAxis(), axis_));
+    }
+  }
+}
+
+void ProjectedRing::ComputeExactImage() const {
+  if (shape_ == RingShape::kPlanar) {
+    for (const Point3& p : points_) {
+      exact_.push_back(
+          {Exact(Coordinate(p, UAxis())), Exact(Coordinate(p, VAxis()))});
+    }
+    return;
+  }
+  const auto normal = NewellNormal<Exact>(points_);
+  for (const Point3& p : points_) {
+    const auto d = Displacement<Exact>(points_[0], p);
+    exact_.push_back({ImageCoordinate(normal, d, UAxis(), axis_),
+                      ImageCoordinate(normal, d, VAxis(), axis_)});
+  }
+}
+
+const ProjectedRing::ExactPoint& ProjectedRing::ExactImage(int i) const {
+  if (exact_.empty()) ComputeExactImage();
+  return exact_[Index(i)];
+}
+
+Sign ProjectedRing::Orientation(int i, int j, int k) const {
+  const std::optional<Sign> sign =
+      TrySign(Turn(u_[Index(i)], v_[Index(i)], u_[Index(j)], v_[Index(j)],
+                   u_[Index(k)], v_[Index(k)]));
+  if (sign) return *sign;
+  const ExactPoint& a = ExactImage(i);
+  const ExactPoint& b = ExactImage(j);
+  const ExactPoint& c = ExactImage(k);
+  return SignOf(Turn(a.u, a.v, b.u, b.v, c.u, c.v));
+}
+
+Sign ProjectedRing::Order(int i, int j) const {
+  std::optional<Sign> sign = TrySign(u_[Index(j)] - u_[Index(i)]);
+  if (!sign) sign = SignOf(ExactImage(j).u - ExactImage(i).u);
+  if (*sign != Sign::kZero) return *sign;
+  sign = TrySign(v_[Index(j)] - v_[Index(i)]);
+  if (!sign) sign = SignOf(ExactImage(j).v - ExactImage(i).v);
+  return *sign;
+}
+
+bool ProjectedRing::SurelyApart(int i, int j, int k, int l) const {
+  // Four comparisons instead of minima: false for NaN.
+  const auto before = [&](const std::vector<Interval>& x, int a, int b, int c,
+                          int d) {
+    return x[Index(a)].sup() < x[Index(c)].inf() &&
+           x[Index(a)].sup() < x[Index(d)].inf() &&
+           x[Index(b)].sup() < x[Index(c)].inf() &&
+           x[Index(b)].sup() < x[Index(d)].inf();
+  };
+  return before(u_, i, j, k, l) || before(u_, k, l, i, j) ||
+         before(v_, i, j, k, l) || before(v_, k, l, i, j);
+}
+
+}  // namespace truelux

@@ -1,0 +1,82 @@
+// A ring of points, exactly: its normal, its shape, and its image along the
+// normal. Every sign is decided by interval arithmetic or, where that cannot
+// tell, by exact numbers.
+
+#ifndef TRUELUX_SCENE_PROJECTED_RING_H_
+#define TRUELUX_SCENE_PROJECTED_RING_H_
+
+#include <span>
+#include <vector>
+
+#include "truelux/geometry.h"
+
+#include "exact/number.h"
+#include "exact/sign.h"
+#include "exact/vec3.h"
+
+namespace truelux {
+
+/// What a closed ring of points is in space.
+enum class RingShape {
+  kNoArea,      ///< all points on one line
+  kZeroNormal,  ///< not on one line, but the Newell normal is zero
+  kPlanar,      ///< all points in one plane
+  kNotPlanar,
+};
+
+/// A ring projected along its Newell normal, the vector area (doubled) that
+/// does not depend on a choice of triangles: sum of (p_i - p_0) x
+/// (p_(i+1) - p_0). Seen so, its enclosed area is positive.
+///
+/// The image has the axes (u, v) = (p_1 - p_3 n_1 / n_3, p_2 - p_3 n_2 / n_3)
+/// times n_3, where n_3 is a component of the normal n that is not zero and
+/// the indices follow it cyclically: a linear map whose kernel is n. u and v
+/// change places if n_3 < 0. In a planar ring u, v are the coordinates p_1,
+/// p_2 themselves, whose orientation is the same.
+///
+/// All members require a RoundUpward object in the calling thread.
+class ProjectedRing {
+ public:
+  /// Takes n >= 3 points, finite, no two consecutive ones equal (cyclically),
+  /// which must outlive the use. The members below may be called if the shape
+  /// is kPlanar or kNotPlanar; not needed for three points, and not ready.
+  RingShape Project(std::span<const Point3> points);
+
+  [[nodiscard]] int size() const { return static_cast<int>(u_.size()); }
+
+  /// kPositive if i, j, k turn counter-clockwise. i, j, k  indices of points.
+  [[nodiscard]] Sign Orientation(int i, int j, int k) const;
+
+  /// The order of points along any line of the image: kPositive if j comes
+  /// after i, kZero if their images coincide.
+  [[nodiscard]] Sign Order(int i, int j) const;
+
+  /// True only if the segments ij and kl have disjoint bounding boxes.
+  [[nodiscard]] bool SurelyApart(int i, int j, int k, int l) const;
+
+ private:
+  struct ExactPoint {
+    Exact u;
+    Exact v;
+  };
+
+  [[nodiscard]] int UAxis() const { return (axis_ + (mirrored_ ? 2 : 1)) % 3; }
+
+  [[nodiscard]] int VAxis() const { return (axis_ + (mirrored_ ? 1 : 2)) % 3; }
+
+  void ComputeImage(const Vec3<Interval>& normal);
+  void ComputeExactImage() const;
+  [[nodiscard]] const ExactPoint& ExactImage(int i) const;
+
+  std::span<const Point3> points_;
+  RingShape shape_ = RingShape::kNoArea;
+  int axis_ = 0;           ///< the component n_3
+  bool mirrored_ = false;  ///< n_3 < 0
+  std::vector<Interval> u_;
+  std::vector<Interval> v_;
+  mutable std::vector<ExactPoint> exact_;  ///< empty until first needed
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_SCENE_PROJECTED_RING_H_

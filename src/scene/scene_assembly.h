@@ -1,0 +1,70 @@
+// Faces -> the arrays of a scene, and what is wrong with them.
+
+#ifndef TRUELUX_SCENE_SCENE_ASSEMBLY_H_
+#define TRUELUX_SCENE_SCENE_ASSEMBLY_H_
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "truelux/diagnostics.h"
+#include "truelux/scene.h"
+
+#include "scene/point_index.h"
+#include "scene/polygon.h"
+#include "scene/scene_data.h"
+
+namespace truelux {
+
+/// Validates faces one by one and turns them into facets and triangles.
+class SceneAssembly {
+ public:
+  explicit SceneAssembly(std::string file_name);
+
+  /// Adds a face with emission, line and group set. ring: n x 3.
+  void AddFace(Face face, std::span<const Point3> ring);
+
+  [[nodiscard]] int face_count() const {
+    return static_cast<int>(arrays_.faces.size());
+  }
+
+  /// Every defect, in the order of faces, then the notes.
+  std::vector<Diagnostic> TakeDiagnostics();
+
+  /// The arrays, without names of groups. Meaningless if there are errors.
+  SceneArrays TakeArrays();
+
+ private:
+  /// Faces that are remarked on together.
+  struct Tally {
+    int count = 0;
+    int first_face = 0;  ///< index
+  };
+
+  bool CheckNumbers(std::span<const Point3> ring);
+  void TakeRing(std::span<const Point3> ring);
+  void AddPolygon();
+  void AddFacet(std::span<const RingTriangle> triangles);
+  void CountFace(Tally& tally) const;
+  void ReportError(const std::string& message);
+  void ReportContact();
+  void ReportTally(const Tally& tally, const std::string& one,
+                   const std::string& many);
+
+  std::string file_name_;
+  SceneArrays arrays_;  ///< the current face is the last
+  PointIndex points_;
+  PolygonReader polygon_;
+  // The current ring without consecutive duplicates: each point's index in the
+  // scene, position, and number (from 1) among the corners of the face.
+  std::vector<int> ring_vertices_;
+  std::vector<Point3> ring_points_;
+  std::vector<int> ring_corners_;
+  std::vector<Diagnostic> diagnostics_;
+  Tally without_area_;
+  Tally not_planar_;
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_SCENE_SCENE_ASSEMBLY_H_

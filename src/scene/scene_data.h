@@ -1,0 +1,26 @@
+// What a Scene shares between its copies.
+
+#ifndef TRUELUX_SCENE_SCENE_DATA_H_
+#define TRUELUX_SCENE_SCENE_DATA_H_
+
+#include <string>
+#include <vector>
+
+#include "truelux/scene.h"
+
+namespace truelux {
+
+/// The arrays of a scene while it is built.
+struct SceneArrays {
+  std::vector<Point3> vertices;
+  std::vector<Triangle> triangles;
+  std::vector<Facet> facets;
+  std::vector<Face> faces;
+  std::vector<std::string> group_names{""};
+};
+
+struct Scene::Data : SceneArrays {};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_SCENE_SCENE_DATA_H_

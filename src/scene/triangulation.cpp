@@ -1,0 +1,113 @@
+#include "scene/triangulation.h"
+
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include "exact/sign.h"
+
+namespace truelux {
+namespace {
+
+bool IsPositive(const ProjectedRing& ring, const RingTriangle& t) {
+  return ring.Orientation(t[0], t[1], t[2]) == Sign::kPositive;
+}
+
+/// Appends the fan from point 0. Returns false if it has a triangle without
+/// positive area.
+bool TryFan(const ProjectedRing& ring, std::vector<RingTriangle>& triangles) {
+  for (int i = 1; i + 1 < ring.size(); ++i) {
+    const RingTriangle triangle{0, i, i + 1};
+    if (!IsPositive(ring, triangle)) return false;
+    triangles.push_back(triangle);
+  }
+  return true;
+}
+
+/// The points that are left, and which of them are tips of ears.
+class EarClipper {
+ public:
+  explicit EarClipper(const ProjectedRing& ring) : ring_(ring) {
+    const auto n = static_cast<std::size_t>(ring.size());
+    points_.resize(n);
+    is_ear_.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+      points_[i] = static_cast<int>(i);
+    for (std::size_t i = 0; i < n; ++i)
+      is_ear_[i] = IsEar(i);
+  }
+
+  void Run(std::vector<RingTriangle>& triangles) {
+    while (points_.size() > 3) {
+      const std::size_t tip = FirstEar();
+      triangles.push_back(TriangleAt(tip));
+      Remove(tip);
+    }
+    triangles.push_back({points_[2], points_[0], points_[1]});
+  }
+
+ private:
+  [[nodiscard]] std::size_t Next(std::size_t i) const {
+    return i + 1 < points_.size() ? i + 1 : 0;
+  }
+
+  [[nodiscard]] std::size_t Previous(std::size_t i) const {
+    return (i > 0 ? i : points_.size()) - 1;
+  }
+
+  [[nodiscard]] RingTriangle TriangleAt(std::size_t tip) const {
+    return {points_[Previous(tip)], points_[tip], points_[Next(tip)]};
+  }
+
+  [[nodiscard]] bool Contains(const RingTriangle& t, int point) const {
+    return ring_.Orientation(t[0], t[1], point) != Sign::kNegative &&
+           ring_.Orientation(t[1], t[2], point) != Sign::kNegative &&
+           ring_.Orientation(t[2], t[0], point) != Sign::kNegative;
+  }
+
+  [[nodiscard]] bool IsEar(std::size_t tip) const {
+    const RingTriangle triangle = TriangleAt(tip);
+    if (!IsPositive(ring_, triangle)) return false;
+    for (const int point : points_) {
+      if (point != triangle[0] && point != triangle[1] &&
+          point != triangle[2] && Contains(triangle, point)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::size_t FirstEar() const {
+    for (std::size_t i = 0; i < is_ear_.size(); ++i) {
+      if (is_ear_[i]) return i;
+    }
+    throw std::logic_error("a simple polygon has no ear");
+  }
+
+  /// Only the neighbours can become or cease to be ears: of the points in the
+  /// triangle of a convex point, the one farthest from the triangle's base is
+  /// not convex, so it is no tip and stays, and with it the verdict.
+  void Remove(std::size_t tip) {
+    points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(tip));
+    is_ear_.erase(is_ear_.begin() + static_cast<std::ptrdiff_t>(tip));
+    const std::size_t next = tip < points_.size() ? tip : 0;
+    is_ear_[next] = IsEar(next);
+    is_ear_[Previous(next)] = IsEar(Previous(next));
+  }
+
+  const ProjectedRing& ring_;
+  std::vector<int> points_;
+  std::vector<bool> is_ear_;
+};
+
+}  // namespace
+
+void Triangulate(const ProjectedRing& ring,
+                 std::vector<RingTriangle>& triangles) {
+  triangles.clear();
+  if (TryFan(ring, triangles)) return;
+  triangles.clear();
+  EarClipper(ring).Run(triangles);
+}
+
+}  // namespace truelux

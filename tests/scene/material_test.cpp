@@ -1,0 +1,140 @@
+// MTL files: what emits, and what is wrong with them.
+
+#include <ostream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "truelux/scene.h"
+
+#include "support/scene_text.h"
+
+namespace truelux {
+namespace {
+
+constexpr const char* kLamp =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl lamp\nf 1 2 3\n";
+
+Rgb EmissionOf(const std::string& mtl) {
+  return SceneFromText(kLamp, mtl).faces()[0].emission;
+}
+
+TEST(Material, KeIsTheEmission) {
+  EXPECT_EQ(EmissionOf("newmtl lamp\nKe 1 .5 2e3\n"), (Rgb{1, 0.5, 2000}));
+  EXPECT_EQ(
+      EmissionOf("\tnewmtl lamp\r\n\tKd 1 1 1\r\n  Ke 1 2 3 # bright\r\n"),
+      (Rgb{1, 2, 3}));
+}
+
+TEST(Material, WithoutKeAFaceOnlyBlocks) {
+  EXPECT_EQ(EmissionOf("newmtl lamp\nKd 1 1 1\n"), (Rgb{0, 0, 0}));
+}
+
+TEST(Material, TheLastKeWins) {
+  EXPECT_EQ(EmissionOf("newmtl lamp\nKe 9 9 9\nKd 1 1 1\nKe 1 2 3\n"),
+            (Rgb{1, 2, 3}));
+}
+
+TEST(Material, FacesBeforeAnyUsemtlOnlyBlock) {
+  const Scene scene = SceneFromText(std::string("f 1 2 3\n").append(kLamp),
+                                    "newmtl lamp\nKe 1 2 3\n");
+  EXPECT_EQ(scene.faces()[0].emission, (Rgb{0, 0, 0}));
+  EXPECT_EQ(scene.faces()[1].emission, (Rgb{1, 2, 3}));
+}
+
+TEST(Material, HoldsUntilTheNextUsemtl) {
+  const Scene scene = SceneFromText(
+      std::string(kLamp).append("f 2 3 1\nusemtl dark\nf 3 1 2\n"),
+      "newmtl dark\nnewmtl lamp\nKe 1 2 3\n");
+  EXPECT_EQ(scene.faces()[1].emission, (Rgb{1, 2, 3}));
+  EXPECT_EQ(scene.faces()[2].emission, (Rgb{0, 0, 0}));
+}
+
+TEST(Material, NamesMayHaveBlanksAndHashes) {
+  const Scene scene = SceneFromText(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl my lamp#2 # the second\nf 1 2 3\n",
+      "newmtl my lamp#1\nnewmtl my lamp#2\nKe 1 2 3\n");
+  EXPECT_EQ(scene.faces()[0].emission, (Rgb{1, 2, 3}));
+}
+
+TEST(Material, UsemtlMayStandBeforeMtllib) {
+  const Result<Scene> result =
+      ReadSceneText(std::string(kLamp).append("mtllib scene.mtl\n"),
+                    "newmtl lamp\nKe 1 2 3\n");
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result.value->faces()[0].emission, (Rgb{1, 2, 3}));
+}
+
+TEST(Material, AnEmissionMapIsNoted) {
+  const Result<Scene> result = ReadSceneText(
+      kLamp,
+      "newmtl lamp\nKe 1 2 3\nmap_Ke a.png\nmap_Kd b.png\nmap_Ke c.png\n");
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(TextOf(result.diagnostics),
+            "scene.mtl:3: note: map_Ke is ignored, a face emits its Ke "
+            "everywhere\n");
+}
+
+struct Defect {
+  const char* name;
+  const char* mtl;
+  const char* diagnostic;
+};
+
+void PrintTo(const Defect& defect, std::ostream* out) {
+  *out << defect.name;
+}
+
+class MaterialDefect : public testing::TestWithParam<Defect> {};
+
+TEST_P(MaterialDefect, IsOneLine) {
+  const Result<Scene> result = ReadSceneText(kLamp, GetParam().mtl);
+  EXPECT_FALSE(result.ok());
+  ASSERT_EQ(result.diagnostics.size(), 1U) << TextOf(result.diagnostics);
+  const std::string text = result.diagnostics[0].Text();
+  const std::string expected = GetParam().diagnostic;
+  EXPECT_EQ(text.substr(0, expected.size()), expected) << text;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mtl, MaterialDefect,
+    testing::Values(
+        Defect{"Twice", "newmtl lamp\nKe 1 1 1\nnewmtl lamp\nKe 2 2 2\n",
+               "scene.mtl:3: error: material 'lamp' is already defined at "
+               "scene.mtl:1"},
+        Defect{"WithoutName", "newmtl lamp\nnewmtl # x\nKe 1 1 1\n",
+               "scene.mtl:2: error: newmtl without a name"},
+        Defect{"NegativeKe", "newmtl lamp\nKe 1 -1 1\n",
+               "scene.mtl:2: error: Ke is negative, expected numbers >= 0"},
+        Defect{"InfiniteKe", "newmtl lamp\nKe 1 1 inf\n",
+               "scene.mtl:2: error: 'inf' is no number"},
+        Defect{"NanKe", "newmtl lamp\nKe nan 1 1\n",
+               "scene.mtl:2: error: 'nan' is no number"},
+        Defect{"HugeKe", "newmtl lamp\nKe 1e309 1 1\n",
+               "scene.mtl:2: error: '1e309' is no number"},
+        Defect{"OneNumber", "newmtl lamp\nKe 1\n",
+               "scene.mtl:2: error: Ke has 1 numbers, expected 3"},
+        Defect{"NoNumber", "newmtl lamp\nKe\n",
+               "scene.mtl:2: error: Ke has 0 numbers, expected 3"},
+        Defect{"FourNumbers", "newmtl lamp\nKe 1 1 1 1\n",
+               "scene.mtl:2: error: Ke has 4 numbers, expected 3"},
+        Defect{"Spectral", "newmtl lamp\nKe spectral a.rfl\n",
+               "scene.mtl:2: error: 'spectral' is no number"},
+        Defect{"KeBeforeNewmtl", "Ke 1 1 1\nnewmtl lamp\n",
+               "scene.mtl:1: error: Ke before any newmtl"},
+        Defect{"OtherMaterial", "newmtl Lamp\nKe 1 1 1\n",
+               "scene.obj:4: error: unknown material 'lamp'"}),
+    [](const auto& row) { return row.param.name; });
+
+TEST(Material, TwiceInTwoFilesIsADefectToo) {
+  const Result<Scene> result = ReadSceneFrom(
+      {{"a.obj", std::string("mtllib a.mtl b.mtl\n").append(kLamp)},
+       {"a.mtl", "newmtl lamp\n"},
+       {"b.mtl", "\nnewmtl lamp\n"}},
+      "a.obj");
+  EXPECT_EQ(TextOf(result.diagnostics),
+            "b.mtl:2: error: material 'lamp' is already defined at a.mtl:1\n");
+}
+
+}  // namespace
+}  // namespace truelux

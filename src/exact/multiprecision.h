@@ -1,0 +1,58 @@
+// MPFR numbers as values, and the way from exact numbers to them.
+//
+// All functions round to nearest and take the precision of the result from
+// the destination. Exponents: MPFR's default range, about 2^30 binary orders
+// of magnitude, holds everything that recipes over binary64 can produce.
+
+#ifndef TRUELUX_EXACT_MULTIPRECISION_H_
+#define TRUELUX_EXACT_MULTIPRECISION_H_
+
+#include <utility>
+
+#include <mpfr.h>
+
+#include "exact/number.h"
+
+namespace truelux {
+
+/// Owns one mpfr_t of a fixed precision [bits]; starts as 0.
+class Multiprecision {
+ public:
+  explicit Multiprecision(mpfr_prec_t precision);
+
+  /// x rounded to nearest: relative error <= 2^-precision.
+  Multiprecision(mpfr_prec_t precision, const Exact& x);
+
+  Multiprecision(mpfr_prec_t precision, double x);
+
+  Multiprecision(const Multiprecision& other);
+  Multiprecision& operator=(const Multiprecision& other);
+
+  Multiprecision(Multiprecision&& other) noexcept
+      : Multiprecision(MPFR_PREC_MIN) {
+    mpfr_swap(number_, other.number_);
+  }
+
+  Multiprecision& operator=(Multiprecision&& other) noexcept {
+    mpfr_swap(number_, other.number_);
+    return *this;
+  }
+
+  ~Multiprecision() { mpfr_clear(number_); }
+
+  [[nodiscard]] mpfr_ptr get() { return number_; }
+
+  [[nodiscard]] mpfr_srcptr get() const { return number_; }
+
+  /// The nearest binary64, ties to even, rounded once (subnormals, too).
+  [[nodiscard]] double ToDouble() const {
+    return mpfr_get_d(number_, MPFR_RNDN);
+  }
+
+ private:
+  mpfr_t number_{};
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_EXACT_MULTIPRECISION_H_

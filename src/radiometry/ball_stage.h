@@ -1,0 +1,25 @@
+// Irradiance in double or double-double, with a proven bound.
+
+#ifndef TRUELUX_RADIOMETRY_BALL_STAGE_H_
+#define TRUELUX_RADIOMETRY_BALL_STAGE_H_
+
+#include <array>
+#include <vector>
+
+#include "exact/ball.h"
+#include "radiometry/weighted_contour.h"
+
+namespace truelux {
+
+/// E per channel as a ball; T = double or DoubleDouble. A channel that this
+/// stage cannot bound is unbounded, the others are right all the same.
+///
+/// on_horizon: PlanesOnHorizon, used by Formula::kHomogeneous only.
+template <class T>
+std::array<Ball<T>, 3> EvaluateInBalls(const WeightedContour& contour,
+                                       const EvaluationQuery& evaluation,
+                                       const std::vector<bool>& on_horizon);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_RADIOMETRY_BALL_STAGE_H_

@@ -1,0 +1,165 @@
+#include "radiometry/multiprecision_stage.h"
+
+#include <utility>
+
+namespace truelux {
+namespace {
+
+/// The vectors of a contour, exactly.
+struct ExactVectors {  // NOLINT(bugprone-exception-escape): Mpzf's moves
+  Vec3<Exact> receiver_normal;
+  std::vector<Vec3<Exact>> planes;
+  std::vector<Vec3<Exact>> directions;
+};
+
+ExactVectors EvaluateExactly(const WeightedContour& contour) {
+  const RecipeEvaluator<Exact> recipes(contour.view);
+  const Contour& c = contour.contour;
+  ExactVectors result{recipes.ReceiverNormal(), {}, {}};
+  result.planes.reserve(c.planes.size());
+  for (const PlaneRecipe& plane : c.planes) {
+    result.planes.push_back(recipes.Plane(plane, c.explicit_vectors));
+  }
+  result.directions.reserve(c.directions.size());
+  for (const DirectionRecipe& d : c.directions) {
+    if (d.kind == DirectionRecipe::Kind::kCrossing) {
+      const Vec3<Exact> crossing =
+          Cross(result.planes[static_cast<std::size_t>(d.a)],
+                result.planes[static_cast<std::size_t>(d.b)]);
+      result.directions.push_back(d.negated ? -crossing : crossing);
+    } else {
+      result.directions.push_back(
+          recipes.Direction(d, c.planes, c.explicit_vectors));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+MultiprecisionStage::MultiprecisionStage(const WeightedContour& contour,
+                                         const EvaluationQuery& evaluation,
+                                         const std::vector<bool>& on_horizon)
+    : emission_(evaluation.emission) {
+  const ExactVectors exact = EvaluateExactly(contour);
+  const Vec3<Exact>& n = exact.receiver_normal;
+  const Exact n_square = Dot(n, n);
+  planes_.reserve(exact.planes.size());
+  for (const Vec3<Exact>& normal : exact.planes) {
+    const Exact square = Dot(normal, normal);
+    planes_.push_back({square, Dot(n, normal), square * n_square});
+  }
+  for (std::size_t i = 0; i < contour.contour.sources.size(); ++i) {
+    if (!contour.IsLit(i)) continue;
+    Source source{contour.weights[i], {}};
+    for (const Arc& arc : contour.ArcsOf(contour.contour.sources[i])) {
+      const auto plane = static_cast<std::size_t>(arc.plane);
+      const Vec3<Exact>& normal = exact.planes[plane];
+      const Vec3<Exact>& d1 =
+          exact.directions[static_cast<std::size_t>(arc.from)];
+      const Vec3<Exact>& d2 =
+          exact.directions[static_cast<std::size_t>(arc.to)];
+      const Exact t = Determinant(d1, d2, normal);
+      if (evaluation.formula == Formula::kLambert) {
+        source.terms.push_back({plane, arc.positive ? t : -t, Dot(d1, d2),
+                                false, true, !arc.positive});
+      } else if (on_horizon[plane]) {
+        const Exact along = Dot(d1, d2);
+        const Exact across = arc.positive ? t : -t;
+        const bool downward = (planes_[plane].cosine_part.sign() ==
+                               CGAL::NEGATIVE) == arc.positive;
+        source.terms.push_back(
+            {plane, Dot(d2, d2) - along, across, true, false, downward});
+        source.terms.push_back(
+            {plane, along - Dot(d1, d1), across, true, false, !downward});
+      } else {
+        const Vec3<Exact> ascent = Cross(n, normal);
+        source.terms.push_back(
+            {plane, Dot(d1, ascent), Dot(n, d1), false, true, false});
+        source.terms.push_back(
+            {plane, Dot(d2, ascent), Dot(n, d2), false, true, true});
+      }
+    }
+    term_count_ += source.terms.size();
+    sources_.push_back(std::move(source));
+  }
+}
+
+MultiprecisionStage::Sum MultiprecisionStage::SumOfTerms(
+    const Source& source, const std::vector<RoundedPlane>& planes,
+    mpfr_prec_t precision) const {
+  Sum sum{Multiprecision(precision), Multiprecision(precision)};
+  for (const Term& term : source.terms) {
+    const RoundedPlane& plane = planes[term.plane];
+    Multiprecision y(precision, term.y);
+    Multiprecision x(precision, term.x);
+    const mpfr_ptr scaled = term.length_on_y ? y.get() : x.get();
+    mpfr_mul(scaled, scaled, plane.length.get(), MPFR_RNDN);
+    mpfr_atan2(y.get(), y.get(), x.get(), MPFR_RNDN);
+    if (term.has_cosine) {
+      mpfr_mul(y.get(), y.get(), plane.cosine.get(), MPFR_RNDN);
+    }
+    if (term.negative) mpfr_neg(y.get(), y.get(), MPFR_RNDN);
+    mpfr_add(sum.value.get(), sum.value.get(), y.get(), MPFR_RNDN);
+    mpfr_abs(y.get(), y.get(), MPFR_RNDN);
+    mpfr_add(sum.magnitude.get(), sum.magnitude.get(), y.get(), MPFR_RNDU);
+  }
+  return sum;
+}
+
+void MultiprecisionStage::ToIrradiance(mpfr_prec_t precision, Multiprecision& x,
+                                       mpfr_rnd_t rounding) const {
+  // E = (M / 2 pi) sum, and M = pi L.
+  if (emission_ == Emission::kExitance) {
+    Multiprecision pi(precision);
+    mpfr_const_pi(pi.get(), rounding == MPFR_RNDU ? MPFR_RNDD : rounding);
+    mpfr_div(x.get(), x.get(), pi.get(), rounding);
+  }
+  mpfr_div_2ui(x.get(), x.get(), 1, rounding);
+}
+
+std::array<Enclosure, 3> MultiprecisionStage::Evaluate(
+    mpfr_prec_t precision) const {
+  std::vector<RoundedPlane> planes;
+  planes.reserve(planes_.size());
+  for (const Plane& plane : planes_) {
+    RoundedPlane rounded{Multiprecision(precision, plane.normal_square),
+                         Multiprecision(precision, plane.both_squares)};
+    mpfr_sqrt(rounded.length.get(), rounded.length.get(), MPFR_RNDN);
+    mpfr_sqrt(rounded.cosine.get(), rounded.cosine.get(), MPFR_RNDN);
+    const Multiprecision part(precision, plane.cosine_part);
+    mpfr_div(rounded.cosine.get(), part.get(), rounded.cosine.get(), MPFR_RNDN);
+    planes.push_back(std::move(rounded));
+  }
+  std::vector<Sum> sums;
+  sums.reserve(sources_.size());
+  for (const Source& source : sources_) {
+    sums.push_back(SumOfTerms(source, planes, precision));
+  }
+  const auto count = static_cast<double>(term_count_ + sources_.size() + 16);
+  const auto channel_enclosure = [&](std::size_t channel) {
+    Multiprecision value(precision);
+    Multiprecision error(precision);
+    Multiprecision product(precision);
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+      const double weight = sources_[i].weight[channel];
+      if (weight == 0) continue;
+      mpfr_mul_d(product.get(), sums[i].value.get(), weight, MPFR_RNDN);
+      mpfr_add(value.get(), value.get(), product.get(), MPFR_RNDN);
+      mpfr_mul_d(product.get(), sums[i].magnitude.get(), weight, MPFR_RNDU);
+      mpfr_add(error.get(), error.get(), product.get(), MPFR_RNDU);
+    }
+    ToIrradiance(precision, value, MPFR_RNDN);
+    ToIrradiance(precision, error, MPFR_RNDU);
+    mpfr_mul_d(error.get(), error.get(), count, MPFR_RNDU);
+    mpfr_div_2ui(error.get(), error.get(),
+                 static_cast<unsigned long>(precision), MPFR_RNDU);
+    Enclosure enclosure{value, value};
+    mpfr_sub(enclosure.lower.get(), value.get(), error.get(), MPFR_RNDD);
+    mpfr_add(enclosure.upper.get(), value.get(), error.get(), MPFR_RNDU);
+    return enclosure;
+  };
+  return {channel_enclosure(0), channel_enclosure(1), channel_enclosure(2)};
+}
+
+}  // namespace truelux

@@ -1,0 +1,41 @@
+#include "radiometry/weighted_contour.h"
+
+#include "exact/ball_recipe.h"
+
+namespace truelux {
+namespace {
+
+bool MayBeZero(const Ball<double>& x) {
+  // Written so that a NaN bound answers yes.
+  return !(LowerMagnitude(x.value) > x.error);
+}
+
+bool IsParallel(const WeightedContour& contour, const PlaneRecipe& plane) {
+  if (plane.kind == PlaneRecipe::Kind::kHorizon) return true;
+  const auto& explicit_vectors = contour.contour.explicit_vectors;
+  const RecipeEvaluator<Ball<double>> rounded(contour.view);
+  const Vec3<Ball<double>> w =
+      Cross(rounded.ReceiverNormal(), rounded.Plane(plane, explicit_vectors));
+  if (!MayBeZero(w.x) || !MayBeZero(w.y) || !MayBeZero(w.z)) return false;
+  const RecipeEvaluator<Exact> exact(contour.view);
+  const Vec3<Exact> z =
+      Cross(exact.ReceiverNormal(), exact.Plane(plane, explicit_vectors));
+  return z.x.is_zero() && z.y.is_zero() && z.z.is_zero();
+}
+
+}  // namespace
+
+bool WeightedContour::IsLit(std::size_t i) const {
+  return IsLit(i, 0) || IsLit(i, 1) || IsLit(i, 2);
+}
+
+std::vector<bool> PlanesOnHorizon(const WeightedContour& contour) {
+  std::vector<bool> result;
+  result.reserve(contour.contour.planes.size());
+  for (const PlaneRecipe& plane : contour.contour.planes) {
+    result.push_back(IsParallel(contour, plane));
+  }
+  return result;
+}
+
+}  // namespace truelux

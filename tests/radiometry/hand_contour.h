@@ -1,0 +1,74 @@
+// Visible contours made by hand, without any visibility engine.
+
+#ifndef TRUELUX_TESTS_RADIOMETRY_HAND_CONTOUR_H_
+#define TRUELUX_TESTS_RADIOMETRY_HAND_CONTOUR_H_
+
+#include <vector>
+
+#include "truelux/geometry.h"
+
+#include "radiometry/weighted_contour.h"
+
+namespace truelux::testing {
+
+/// How the ends of an arc are written down; the numbers are the same.
+enum class Ends { kNatural, kCrossings, kExplicit };
+
+/// Owns what a WeightedContour refers to.
+class HandContour {
+ public:
+  HandContour(const Point3& position, const Vector3& normal)
+      : position_(position), normal_(normal) {}
+
+  /// The visible region of a convex polygon that nothing hides, clipped by
+  /// the receiver plane, as a source of emission M.
+  void AddConvexPolygon(const std::vector<Point3>& ring, const Rgb& emission,
+                        Ends ends = Ends::kNatural);
+
+  /// The same, intersected with the visible side of another polygon's edge:
+  /// only directions with ((a - r) x (b - a)) . d > 0 stay. At least one
+  /// vertex must be on each side; the polygon must be above the horizon.
+  void AddCutPolygon(const std::vector<Point3>& ring, const Point3& a,
+                     const Point3& b, const Rgb& emission);
+
+  [[nodiscard]] WeightedContour Weighted() const {
+    return {View(), contour_, weights_};
+  }
+
+  [[nodiscard]] Irradiance Evaluate(const EvaluationQuery& evaluation) const {
+    return EvaluateWeighted(Weighted(), evaluation);
+  }
+
+  Contour& contour() { return contour_; }
+
+ private:
+  [[nodiscard]] ReceiverView View() const {
+    return {vertices_, {}, position_, normal_};
+  }
+
+  /// One directed side of a convex region.
+  struct Side {
+    int plane = -1;
+    int from = -1;
+    int to = -1;
+  };
+
+  int AddVertex(const Point3& p);
+  int AddPlane(const PlaneRecipe& plane);
+  int AddDirection(const DirectionRecipe& direction);
+  [[nodiscard]] Exact SideOf(int plane, const Vec3<Exact>& d) const;
+  [[nodiscard]] Vec3<Exact> DirectionOf(int i) const;
+  [[nodiscard]] Vec3<Exact> PlaneOf(int i) const;
+  void Rewrite(std::vector<Side>& sides, Ends ends);
+  void AddSource(const std::vector<Side>& sides, const Rgb& emission);
+
+  Point3 position_;
+  Vector3 normal_;
+  std::vector<Point3> vertices_;
+  Contour contour_;
+  std::vector<Rgb> weights_;
+};
+
+}  // namespace truelux::testing
+
+#endif  // TRUELUX_TESTS_RADIOMETRY_HAND_CONTOUR_H_

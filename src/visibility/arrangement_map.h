@@ -1,0 +1,43 @@
+// What is front-most in one chart, as an exact planar map.
+
+#ifndef TRUELUX_VISIBILITY_ARRANGEMENT_MAP_H_
+#define TRUELUX_VISIBILITY_ARRANGEMENT_MAP_H_
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "visibility/arrangement_chart.h"
+
+namespace truelux {
+
+/// A piece of a facet in the image frame of one chart; not degenerate, and
+/// not seen edge-on.
+struct ImageTriangle {
+  std::array<ImagePoint, 3> corners;
+  int facet = -1;  ///< index into Scene::facets()
+};
+
+/// An edge between two parts of the view; from and to are different points.
+struct MapEdge {
+  int from = -1;  ///< index into ViewMap::vertices
+  int to = -1;
+  int left = -1;   ///< facet seen on the left of from -> to; -1: none
+  int right = -1;  ///< another facet, or -1
+};
+
+/// The view in one chart. Edges between parts with the same facet are left
+/// out.
+struct ViewMap {
+  std::vector<ImageDirection> vertices;
+  std::vector<MapEdge> edges;
+};
+
+/// The map of the front-most facets (the smallest z/w). Where several are at
+/// the same place over a region, the one with the smallest index is in front.
+/// Triangles of one facet do not overlap.
+ViewMap FrontMost(std::span<const ImageTriangle> triangles);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_ARRANGEMENT_MAP_H_

@@ -11,26 +11,29 @@
 
 namespace truelux {
 
-/// What a vertex of a visible contour is.
+/// What a vertex of a visible contour is; of several, the first that holds.
 enum class VertexKind {
   kIntrinsic,  ///< a scene vertex
+  kHorizon,    ///< a point of the receiver plane
   kApparent,   ///< two edges that cross only as seen from the receiver, or an
                ///< edge and the line where two faces meet
-  kHorizon,    ///< a point of the receiver plane
 };
 
-/// One vertex of a visible contour.
+/// One vertex of a visible contour. Counted are the edges and vertices that
+/// could show there: those of the source and of what lies in front of its
+/// plane, hidden or not, without inner edges of faces and of blocking meshes.
 struct ContourVertex {
   VertexKind kind = VertexKind::kApparent;
-  /// Several of the above coincide exactly: more than two edge planes pass
-  /// through it, two scene vertices are in line, or kinds coincide.
+  /// Several vertices coincide exactly: two scene vertices in line, an edge
+  /// that passes through a scene vertex, more than two edges through one
+  /// apparent vertex, or any of these on the horizon.
   bool conjunctive = false;
   /// Number of distinct planes through r that carry edges through it (the
   /// receiver plane counts if the vertex lies on the horizon).
   int planes = 0;
   int vertex = -1;    ///< kIntrinsic: index into Scene::vertices(), else -1
   Vector3 direction;  ///< from the receiver, largest component 1 in absolute
-                      ///< value; each component within 2 ulp
+                      ///< value; each component within 1 ulp
 };
 
 /// One arc of a visible contour: part of the great circle in the plane with

@@ -3,6 +3,7 @@
 #include "exact/view_geometry.h"
 
 #include <array>
+#include <ostream>
 
 #include <gtest/gtest.h>
 
@@ -55,6 +56,10 @@ struct ReceiverCase {
   Sign sign;
   Stage stage;
 };
+
+void PrintTo(const ReceiverCase& c, std::ostream* out) {
+  *out << c.what;
+}
 
 class ReceiverSideCoverage : public ::testing::TestWithParam<ReceiverCase> {};
 
@@ -124,6 +129,10 @@ struct OrderCase {
   Sign sign;
   Stage stage;
 };
+
+void PrintTo(const OrderCase& c, std::ostream* out) {
+  *out << c.what;
+}
 
 class EdgeOrderCoverage : public ::testing::TestWithParam<OrderCase> {};
 

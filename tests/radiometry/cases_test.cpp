@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -48,6 +49,10 @@ struct Setup {
   const char* name;
   OracleOptions options;
 };
+
+void PrintTo(const Setup& setup, std::ostream* out) {
+  *out << setup.name;
+}
 
 class Cases : public ::testing::TestWithParam<std::tuple<std::string, Setup>> {
 };

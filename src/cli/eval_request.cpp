@@ -1,0 +1,123 @@
+#include "cli/eval_request.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <fmt/format.h>
+#include <limits>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "cli/evaluation.h"
+#include "cli/messages.h"
+#include "report/receivers.h"
+#include "report/results.h"
+
+namespace truelux {
+namespace {
+
+void CheckCombination(const EvalArguments& arguments) {
+  if (arguments.receivers && arguments.at) {
+    throw UsageError("--at stands for a table of receivers; give one of them");
+  }
+  if (arguments.at.has_value() != arguments.normal.has_value()) {
+    throw UsageError("--at and --normal belong together");
+  }
+  if (!arguments.receivers && !arguments.at) {
+    throw UsageError("no receivers: give a table, or --at and --normal");
+  }
+  if (arguments.on_face && !arguments.at) {
+    throw UsageError("--on-face belongs to --at; a table has a column on_face");
+  }
+}
+
+/// The value of an option or argument that names a file, "" if not given.
+std::string Path(const char* name, const std::optional<std::string>& word) {
+  if (word && word->empty()) {
+    throw UsageError(fmt::format("{}: the file name is empty", name));
+  }
+  return word.value_or("");
+}
+
+int ParseThreads(const std::string& text) {
+  int threads = 0;
+  const char* end = text.data() + text.size();
+  const std::from_chars_result read =
+      std::from_chars(text.data(), end, threads);
+  const bool is_number = read.ec == std::errc() && read.ptr == end;
+  if (!is_number || threads < 1 || threads > kMaxThreads) {
+    throw UsageError(fmt::format("--threads: '{}' is not a number from 1 to {}",
+                                 text, kMaxThreads));
+  }
+  return threads;
+}
+
+/// Puts the three texts between the commas of an option's value into `texts`.
+void SplitTriple(const char* option, std::string_view value,
+                 std::string* texts) {
+  if (std::count(value.begin(), value.end(), ',') != 2) {
+    throw UsageError(fmt::format(
+        "{}: '{}' is not three numbers with commas in between", option, value));
+  }
+  const std::size_t first = value.find(',');
+  const std::size_t second = value.rfind(',');
+  texts[0] = value.substr(0, first);
+  texts[1] = value.substr(first + 1, second - first - 1);
+  texts[2] = value.substr(second + 1);
+}
+
+std::string TableOfOne(const EvalArguments& arguments) {
+  std::array<std::string, kReceiverColumns.size()> texts;
+  SplitTriple("--at", *arguments.at, texts.data());
+  SplitTriple("--normal", *arguments.normal, texts.data() + 3);
+  // Numbers have no quotes and line ends, so the row needs no quoting.
+  std::vector<FieldDefect> defects;
+  ParseReceiver(texts, defects);
+  if (!defects.empty()) {
+    const FieldDefect& defect = defects.front();
+    throw UsageError(fmt::format(
+        "{}: {}", defect.index < 3 ? "--at" : "--normal", defect.message));
+  }
+  std::string header = fmt::format("{}", fmt::join(kReceiverColumns, ","));
+  std::string row = fmt::format("{}", fmt::join(texts, ","));
+  if (arguments.on_face) {
+    std::string defect;
+    if (!ParseOnFace(*arguments.on_face, std::numeric_limits<int>::max(),
+                     defect)) {
+      throw UsageError("--on-face: " + defect);
+    }
+    header += fmt::format(",{}", kOnFaceColumn);
+    row += fmt::format(",{}", *arguments.on_face);
+  }
+  return header + "\n" + row + "\n";
+}
+
+}  // namespace
+
+EvalRequest ParseEvalRequest(const EvalArguments& arguments) {
+  CheckCombination(arguments);
+  EvalRequest request;
+  request.scene = Path("SCENE.obj", arguments.scene);
+  request.receivers = Path("RECEIVERS.csv", arguments.receivers);
+  request.output = Path("--output", arguments.output);
+  request.stats = Path("--stats", arguments.stats);
+  if (request.output == "-") request.output.clear();
+  if (arguments.at) request.table = TableOfOne(arguments);
+  request.on_face = arguments.on_face.value_or("");
+  request.threads = ParseThreads(arguments.threads);
+  // The parser of the command line has refused all other words.
+  if (arguments.engine == Name(Engine::kArrangement)) {
+    request.options.engine = Engine::kArrangement;
+  }
+  if (arguments.method == Name(Method::kDouble)) {
+    request.options.method = Method::kDouble;
+  }
+  if (arguments.emission == Name(Emission::kRadiance)) {
+    request.options.emission = Emission::kRadiance;
+  }
+  return request;
+}
+
+}  // namespace truelux

@@ -1,0 +1,46 @@
+// Receivers in, results out: spread over threads, in order, in bounded memory.
+
+#ifndef TRUELUX_CLI_EVALUATION_H_
+#define TRUELUX_CLI_EVALUATION_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "truelux/diagnostics.h"
+#include "truelux/irradiance.h"
+#include "truelux/statistics.h"
+
+#include "cli/output_file.h"
+#include "cli/progress.h"
+#include "report/receivers.h"
+
+namespace truelux {
+
+/// How an evaluation went.
+struct EvaluationSummary {
+  Statistics statistics;
+  std::uint64_t receivers = 0;    ///< rows written
+  std::uint64_t overflowing = 0;  ///< of these, with an infinite value
+  /// What ended the input early: the defects of the first defective row.
+  std::vector<Diagnostic> defects;
+};
+
+/// Evaluates every receiver that `reader` still has (its header has been
+/// read) and writes the table with the results to `output`.
+///
+/// The rows, and their order, do not depend on the number of threads. What is
+/// held in memory does not grow with the number of rows. Throws Interruption
+/// within one receiver per thread after the program was interrupted, and what
+/// the reader, the oracle and the output throw.
+EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,
+                           OutputFile& output, int threads, Progress& progress);
+
+/// More threads would only cost memory.
+inline constexpr int kMaxThreads = 1024;
+
+/// The number of threads that suits this computer, at most kMaxThreads.
+int DefaultThreads();
+
+}  // namespace truelux
+
+#endif  // TRUELUX_CLI_EVALUATION_H_

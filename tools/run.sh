@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# Builds truelux if need be and runs it.
+#
+#   tools/run.sh              the irradiance on the floor of the Cornell box
+#   tools/run.sh ARGUMENTS    truelux ARGUMENTS
+#
+# Standard output and the exit status are those of truelux; on Debian 12
+# missing packages are installed first.
+
+. "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
+
+lock_build
+need_packages run
+is_configured || configure -DTRUELUX_BUILD_TESTS=OFF
+build_target truelux
+release_build
+
+if [[ $# == 0 ]]; then
+  scenes="$root/examples/scenes"
+  set -- eval "$scenes/cornell_box.obj" "$scenes/cornell_box_floor.csv"
+  say "The irradiance at 144 points on the floor of the Cornell box: truelux $*"
+fi
+exec "$build/truelux" "$@"

@@ -40,6 +40,8 @@ class Describer {
   VisibleContour Describe() {
     for (const SourceArcs& source : contour_.sources)
       DescribeSource(source);
+    JoinArcs();
+    DropUnusedVertices();
     result_.statistics = contour_.statistics;
     return std::move(result_);
   }
@@ -60,10 +62,65 @@ class Describer {
       const Vec3<Exact> normal =
           evaluator_.Plane(contour_.planes[static_cast<std::size_t>(arc.plane)],
                            contour_.explicit_vectors);
-      described.plane_normal =
-          ToDouble(MakePrimitive(arc.positive ? normal : -normal));
+      planes_.push_back(MakePrimitive(arc.positive ? normal : -normal));
+      described.plane_normal = ToDouble(planes_.back());
       result_.arcs.push_back(described);
     }
+  }
+
+  /// Joins two arcs where nothing but they meet and one goes on as the other:
+  /// an engine may split an arc anywhere. Arcs of equal opposite planes (the
+  /// arrangement's cuts) are left as they are.
+  void JoinArcs() {
+    const std::size_t count = result_.vertices.size();
+    std::vector<std::vector<std::size_t>> arriving(count);
+    std::vector<std::vector<std::size_t>> leaving(count);
+    for (std::size_t a = 0; a < result_.arcs.size(); ++a) {
+      leaving[static_cast<std::size_t>(result_.arcs[a].from)].push_back(a);
+      arriving[static_cast<std::size_t>(result_.arcs[a].to)].push_back(a);
+    }
+    std::vector<bool> gone(result_.arcs.size(), false);
+    for (std::size_t v = 0; v < count; ++v) {
+      if (result_.vertices[v].kind == VertexKind::kIntrinsic ||
+          arriving[v].size() != 1 || leaving[v].size() != 1) {
+        continue;
+      }
+      const std::size_t first = arriving[v][0];
+      const std::size_t second = leaving[v][0];
+      if (first == second ||
+          result_.arcs[first].source != result_.arcs[second].source ||
+          planes_[first] != planes_[second]) {
+        continue;
+      }
+      const int end = result_.arcs[second].to;
+      result_.arcs[first].to = end;
+      gone[second] = true;
+      auto& into_end = arriving[static_cast<std::size_t>(end)];
+      *std::ranges::find(into_end, second) = first;
+    }
+    std::size_t kept = 0;
+    for (std::size_t a = 0; a < gone.size(); ++a) {
+      if (!gone[a]) result_.arcs[kept++] = result_.arcs[a];
+    }
+    result_.arcs.resize(kept);
+  }
+
+  void DropUnusedVertices() {
+    std::vector<int> new_index(result_.vertices.size(), -1);
+    std::vector<ContourVertex> used;
+    const auto renumber = [&](int& vertex) {
+      int& index = new_index[static_cast<std::size_t>(vertex)];
+      if (index < 0) {
+        index = static_cast<int>(used.size());
+        used.push_back(result_.vertices[static_cast<std::size_t>(vertex)]);
+      }
+      vertex = index;
+    };
+    for (ContourArc& arc : result_.arcs) {
+      renumber(arc.from);
+      renumber(arc.to);
+    }
+    result_.vertices = std::move(used);
   }
 
   /// The public vertex of a direction. A vertex that bounds several sources
@@ -119,6 +176,7 @@ class Describer {
   ReceiverView view_;
   RecipeEvaluator<Exact> evaluator_;
   VisibleContour result_;
+  std::vector<PrimitiveVector> planes_;  ///< per arc of the result
   std::map<PrimitiveVector, int> index_;
   std::vector<Coincidence> coincidences_;  ///< per vertex of the result
   std::vector<int> described_for_;         ///< per vertex: last facet

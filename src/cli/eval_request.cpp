@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
-#include <limits>
 #include <string_view>
-#include <system_error>
 #include <vector>
+
+#include "truelux/io.h"
 
 #include "cli/evaluation.h"
 #include "cli/messages.h"
@@ -42,16 +42,14 @@ std::string Path(const char* name, const std::optional<std::string>& word) {
 }
 
 int ParseThreads(const std::string& text) {
-  int threads = 0;
-  const char* end = text.data() + text.size();
-  const std::from_chars_result read =
-      std::from_chars(text.data(), end, threads);
-  const bool is_number = read.ec == std::errc() && read.ptr == end;
-  if (!is_number || threads < 1 || threads > kMaxThreads) {
-    throw UsageError(fmt::format("--threads: '{}' is not a number from 1 to {}",
-                                 text, kMaxThreads));
+  const std::optional<double> threads = ParseNumber(text);
+  if (!threads || *threads < 1 || *threads > kMaxThreads ||
+      *threads != std::floor(*threads)) {
+    throw UsageError(
+        fmt::format("--threads: '{}' is not a whole number from 1 to {}", text,
+                    kMaxThreads));
   }
-  return threads;
+  return static_cast<int>(*threads);
 }
 
 /// Puts the three texts between the commas of an option's value into `texts`.
@@ -83,11 +81,7 @@ std::string TableOfOne(const EvalArguments& arguments) {
   std::string header = fmt::format("{}", fmt::join(kReceiverColumns, ","));
   std::string row = fmt::format("{}", fmt::join(texts, ","));
   if (arguments.on_face) {
-    std::string defect;
-    if (!ParseOnFace(*arguments.on_face, std::numeric_limits<int>::max(),
-                     defect)) {
-      throw UsageError("--on-face: " + defect);
-    }
+    // Whether there is such a face is known when the scene has been read.
     header += fmt::format(",{}", kOnFaceColumn);
     row += fmt::format(",{}", *arguments.on_face);
   }

@@ -44,7 +44,9 @@ void CatchSignals() {
   if (!nohup) Catch(SIGHUP);
   struct sigaction ignore = {};
   ignore.sa_handler = SIG_IGN;
+  // Writing then fails with a reason, and the temporary file is removed.
   sigaction(SIGPIPE, &ignore, nullptr);
+  sigaction(SIGXFSZ, &ignore, nullptr);
 }
 
 bool Interrupted() {

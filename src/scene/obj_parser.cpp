@@ -152,8 +152,11 @@ class ObjParser {
 
   static std::string OutOfRange(IndexKind kind, std::int64_t index,
                                 std::int64_t count) {
-    const std::string what =
-        std::string(NameOf(kind)) + " index " + std::to_string(index);
+    // A number that no index can be is not printed as another one.
+    using Limits = std::numeric_limits<std::int64_t>;
+    const bool is_huge = index == Limits::max() || index == Limits::min();
+    std::string what = std::string(NameOf(kind)) + " index";
+    if (!is_huge) what += " " + std::to_string(index);
     if (index == 0) return what + ", expected 1 or more, or less than 0";
     if (index > 0) {
       return what + " is out of range, expected at most " +

@@ -67,13 +67,14 @@ class LibraryLoader {
   }
 
  private:
-  /// Returns false if there is no such file. A file named twice is read once.
+  /// Returns false if there is no such file. A file named twice, be it by
+  /// "a.mtl" and "./a.mtl", is read once.
   bool TryLoad(const std::string& name, int line) {
     const std::filesystem::path path = folder_ / name;
-    if (loaded_.contains(path)) return true;
+    if (loaded_.contains(path.lexically_normal())) return true;
     const TextFile file = open_(path);
     if (file.status == TextFile::Status::kMissing) return false;
-    loaded_.insert(path);
+    loaded_.insert(path.lexically_normal());
     if (file.status == TextFile::Status::kUnreadable) {
       ReportUnread(name, file.reason, line);
       return true;
@@ -160,8 +161,12 @@ Result<Scene> BuildScene(const ObjContents& obj, const LibraryLoader& loader,
   SceneBuilder builder(diagnostics.file());
   AddFaces(obj, ResolveMaterials(obj.materials, loader, diagnostics), builder);
   Result<Scene> result = builder.Build();
-  for (Diagnostic& d : result.diagnostics)
+  for (Diagnostic& d : result.diagnostics) {
+    // Where every face is defective, "no faces" is no news.
+    const bool is_empty = result.ok() && result.value->faces().empty();
+    if (is_empty && !obj.faces.empty()) break;
     diagnostics.Add(std::move(d));
+  }
   result.diagnostics = diagnostics.Sorted();
   bool has_errors = diagnostics.has_errors();
   for (const DiagnosticList& list : loader.diagnostics()) {

@@ -86,10 +86,13 @@ void SourceContour::AddBlocker(int triangle) {
   blockers_.push_back({*part, BoxOf(*part), {}});
 }
 
-void SourceContour::AddCandidate(Part& part, std::size_t edge) {
+void SourceContour::AddCandidate(Part& part, std::size_t edge,
+                                 bool is_blocker) {
   const Cone& cone = part.cone;
-  Candidate candidate{
-      {cone.planes[edge], cone.From(edge), cone.To(edge)}, {}, &part};
+  Candidate candidate{{cone.planes[edge], cone.From(edge), cone.To(edge)},
+                      {},
+                      &part,
+                      is_blocker};
   candidate.box = chart_->Of(geometry_.DirectionInterval(cone.From(edge)));
   candidate.box.Include(chart_->Of(geometry_.DirectionInterval(cone.To(edge))));
   part.candidates[edge] = static_cast<int>(candidates_.size());
@@ -115,7 +118,7 @@ void SourceContour::CollectSourceEdges() {
     if (diagonal) {
       part.candidates[edges_[i].edge] = kNoCandidate;
     } else {
-      AddCandidate(part, edges_[i].edge);
+      AddCandidate(part, edges_[i].edge, false);
     }
   }
 }
@@ -158,7 +161,7 @@ void SourceContour::CollectBlockerEdges() {
           HasOppositeBlocker(group, edge)) {
         part.candidates[edge.edge] = kNoCandidate;
       } else {
-        AddCandidate(part, edge.edge);
+        AddCandidate(part, edge.edge, true);
       }
     }
     begin = end;
@@ -171,43 +174,65 @@ void SourceContour::CollectCandidates() {
   CollectBlockerEdges();
 }
 
-void SourceContour::AddOwnerIfSmaller(const Part& part, const Cover& cover,
-                                      int id) {
-  if (cover.side == Sign::kZero) return;
+/// Whether a cover of the edge's own plane belongs to a candidate that owns
+/// the arcs there instead of candidate `id`.
+bool SourceContour::IsOwnedBefore(const Part& part, const Cover& cover,
+                                  int id) {
+  if (cover.side == Sign::kZero) return false;
   const int owner = part.candidates[static_cast<std::size_t>(cover.coincident)];
-  if (owner != kNoCandidate && owner < id) sweep_.AddOwner(cover);
+  return owner != kNoCandidate && owner < id;
 }
 
-/// False if no piece of the edge can be an arc.
-bool SourceContour::SweepParts(const Candidate& candidate, int id) {
-  // Along its own edge a part holds the inner side of the whole edge.
-  const Cover own{.side = Sign::kPositive};
-  bool in_source = false;
+/// Adds the source's triangles to the sweep; tells on which sides of the edge
+/// there is any source at all. False if another candidate owns all arcs.
+bool SourceContour::SweepSource(const Candidate& candidate, int id,
+                                NeededSides& needed) {
   for (const Part& part : sources_) {
+    std::optional<Cover> cover;
     if (&part == candidate.owner) {
-      in_source = true;
-      sweep_.AddSource(own);
-      continue;
+      // Along its own edge a part holds the inner side of the whole edge.
+      cover = Cover{.side = Sign::kPositive};
+    } else if (part.box.Meets(candidate.box)) {
+      cover = CoverOf(geometry_, candidate.edge, part.cone);
+      if (cover && IsOwnedBefore(part, *cover, id)) {
+        if (cover->Whole()) return false;
+        sweep_.AddOwner(*cover);
+      }
     }
-    if (!part.box.Meets(candidate.box)) continue;
-    const auto cover = CoverOf(geometry_, candidate.edge, part.cone);
     if (!cover) continue;
-    in_source = true;
     sweep_.AddSource(*cover);
-    AddOwnerIfSmaller(part, *cover, id);
+    needed.negative = needed.negative || cover->side != Sign::kPositive;
+    needed.positive = needed.positive || cover->side != Sign::kNegative;
   }
-  if (!in_source) return false;
+  return true;
+}
+
+/// False if no piece of the edge can be an arc. Left early only when one
+/// blocker hides, over the whole edge, every side on which there is source
+/// that the edge's own blocker leaves open, or another candidate owns it all.
+bool SourceContour::SweepParts(const Candidate& candidate, int id) {
+  NeededSides needed;
+  if (!SweepSource(candidate, id, needed)) return false;
+  if (candidate.is_blocker) {
+    sweep_.AddBlocker(Cover{.side = Sign::kPositive});
+    needed.positive = false;
+  }
+  if (!needed.positive && !needed.negative) return false;
   for (const Part& part : blockers_) {
-    if (&part == candidate.owner) {
-      sweep_.AddBlocker(own);
-      continue;
-    }
-    if (!part.box.Meets(candidate.box)) continue;
+    if (&part == candidate.owner || !part.box.Meets(candidate.box)) continue;
     const auto cover = CoverOf(geometry_, candidate.edge, part.cone);
     if (!cover) continue;
-    if (cover->side == Sign::kZero && cover->Whole()) return false;
+    const bool owned = IsOwnedBefore(part, *cover, id);
+    if (cover->Whole()) {
+      const bool hides_positive = cover->side != Sign::kNegative;
+      const bool hides_negative = cover->side != Sign::kPositive;
+      if (owned || ((hides_positive || !needed.positive) &&
+                    (hides_negative || !needed.negative))) {
+        return false;
+      }
+    }
     sweep_.AddBlocker(*cover);
-    AddOwnerIfSmaller(part, *cover, id);
+    if (owned) sweep_.AddOwner(*cover);
   }
   return true;
 }

@@ -63,6 +63,7 @@ class SourceContour {
     ViewEdge edge;
     ImageBox box;
     const Part* owner = nullptr;
+    bool is_blocker = false;  ///< the owner is a blocker, not the source
   };
 
   /// One edge of a part, for finding the other side of an inner edge.
@@ -72,12 +73,18 @@ class SourceContour {
     std::size_t edge = 0;
   };
 
+  /// The sides of an edge on which an arc may see the source.
+  struct NeededSides {
+    bool positive = false;
+    bool negative = false;
+  };
+
   static constexpr int kNoCandidate = -1;
 
   [[nodiscard]] ImageBox BoxOf(const Cone& cone);
   /// False if a triangle certainly shares no direction with the source.
   [[nodiscard]] bool MayMeetSource(const std::array<int, 3>& corners);
-  void AddCandidate(Part& part, std::size_t edge);
+  void AddCandidate(Part& part, std::size_t edge, bool is_blocker);
   void CollectCandidates();
   void CollectSourceEdges();
   void CollectBlockerEdges();
@@ -85,7 +92,8 @@ class SourceContour {
                           const EdgeOfPart& edge);
   void Sweep(int candidate);
   bool SweepParts(const Candidate& candidate, int id);
-  void AddOwnerIfSmaller(const Part& part, const Cover& cover, int id);
+  bool SweepSource(const Candidate& candidate, int id, NeededSides& needed);
+  static bool IsOwnedBefore(const Part& part, const Cover& cover, int id);
 
   std::span<const Triangle> triangles_;
   std::span<const Facet> facets_;

@@ -57,9 +57,10 @@ INSTANTIATE_TEST_SUITE_P(
                "normal index 7 is out of range, expected at most 1"},
         Defect{"NormalTooNegative", "f 1//1 2//1 3//-2",
                "normal index -2 is out of range"},
-        Defect{"Huge", "f 1 2 99999999999999999999", "vertex index 9"},
+        Defect{"Huge", "f 1 2 99999999999999999999",
+               "vertex index is out of range, expected at most"},
         Defect{"HugeNegative", "f 1 2 -99999999999999999999",
-               "vertex index -9"},
+               "vertex index is out of range, expected at least"},
         Defect{"BeyondInt", "f 1 2 4294967297",
                "vertex index 4294967297 is out of range"},
         Defect{"NoNumber", "f 1 2 x", "'x' is no vertex of a face"},
@@ -133,6 +134,12 @@ TEST(ObjDefects, AreReportedTogetherInTheOrderOfLines) {
     lines.push_back(d.line);
   EXPECT_EQ(lines, (std::vector<int>{1, 3, 4, 7, 7, 8, 9}))
       << TextOf(result.diagnostics);
+}
+
+TEST(ObjDefects, OfAllFacesAreNotAlsoNotedAsNoFaces) {
+  const Result<Scene> result = ReadSceneText("v 0 0 1\nf 0 1 2\n");
+  ASSERT_EQ(result.diagnostics.size(), 1U) << TextOf(result.diagnostics);
+  EXPECT_EQ(result.diagnostics[0].line, 2);
 }
 
 TEST(ObjDefects, AreCountedBeyondHundred) {

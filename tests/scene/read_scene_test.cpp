@@ -93,6 +93,14 @@ TEST(ReadScene, AMaterialFileNamedTwiceIsReadOnce) {
   EXPECT_TRUE(result.ok()) << TextOf(result.diagnostics);
 }
 
+TEST(ReadScene, AMaterialFileSpelledTwoWaysIsReadOnce) {
+  const Result<Scene> result = ReadSceneFrom(
+      {{"a.obj", std::string("mtllib a.mtl\nmtllib ./a.mtl\n").append(kFace)},
+       {"a.mtl", kLamp}},
+      "a.obj");
+  EXPECT_TRUE(result.ok()) << TextOf(result.diagnostics);
+}
+
 TEST(ReadScene, OnlyTheMissingOneOfSeveralMaterialFilesIsReported) {
   const Result<Scene> result = ReadSceneFrom(
       {{"a.obj", std::string("mtllib a.mtl b.mtl\n").append(kFace)},

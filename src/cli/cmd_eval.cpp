@@ -1,5 +1,6 @@
 #include "cli/cmd_eval.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -48,6 +49,18 @@ struct ReceiverInput {
   std::optional<std::uint64_t> total;  ///< number of rows, if known
 };
 
+/// The likeliest reason for zeros everywhere deserves a word.
+void NoteDarkness(const Scene& scene, const std::string& name) {
+  const auto emits = [](const Face& face) {
+    return std::ranges::any_of(face.emission, [](double m) { return m > 0; });
+  };
+  if (scene.faces().empty() || std::ranges::any_of(scene.faces(), emits)) {
+    return;
+  }
+  Print({{Severity::kNote, name, 0,
+          "no face emits: none has a material with Ke above 0"}});
+}
+
 Scene LoadScene(const EvalRequest& request) {
   // Which MTL files are inputs is known only when the OBJ is read.
   const FileOpener open = [&request](const std::filesystem::path& path) {
@@ -58,6 +71,7 @@ Scene LoadScene(const EvalRequest& request) {
   StopIfInterrupted();
   if (!scene.ok()) throw UserError(std::move(scene.diagnostics));
   Print(scene.diagnostics);
+  NoteDarkness(*scene.value, request.scene);
   return std::move(*scene.value);
 }
 

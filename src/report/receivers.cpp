@@ -9,27 +9,13 @@
 
 #include "truelux/io.h"
 
+#include "scene/quoted.h"
+
 namespace truelux {
 namespace {
 
 bool IsResultColumn(std::string_view name) {
   return name.starts_with("E_") || name.starts_with("bound_");
-}
-
-/// Messages are one line each and not longer than a reader can use.
-std::string Quoted(std::string_view text) {
-  constexpr std::size_t kMaxShown = 40;
-  std::string shown = "'";
-  for (const char c : text.substr(0, kMaxShown)) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool printable = byte >= 0x20 && byte != 0x7F;
-    if (printable) {
-      shown += c;
-    } else {
-      shown += fmt::format("\\x{:02x}", byte);
-    }
-  }
-  return shown + (text.size() > kMaxShown ? "...'" : "'");
 }
 
 }  // namespace
@@ -132,8 +118,10 @@ bool ReceiverReader::FindColumns(std::vector<Diagnostic>& defects) {
   if (!missing.empty()) {
     defects.push_back(csv_.Error(
         record_.line(0),
-        fmt::format("the header lacks the column{} {}",
-                    missing.size() == 1 ? "" : "s", fmt::join(missing, ", "))));
+        fmt::format("the header lacks the column{} {}; expected names like "
+                    "x,y,z,nx,ny,nz with commas between, found {}",
+                    missing.size() == 1 ? "" : "s", fmt::join(missing, ", "),
+                    Quoted(record_.text()))));
   }
   return defects.size() == defects_before;
 }

@@ -96,21 +96,6 @@ std::string_view TakeWord(std::string_view& text) {
   return word;
 }
 
-std::string Quoted(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
-  const auto is_inside_character = [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;  // UTF-8
-  };
-  std::size_t size = std::min(word.size(), kLongest);
-  while (size > 0 && size < word.size() && is_inside_character(word[size])) {
-    --size;
-  }
-  std::string quoted("'");
-  quoted.append(word.substr(0, size));
-  quoted.append(size < word.size() ? "...'" : "'");
-  return quoted;
-}
-
 std::optional<Numbers> ReadNumbers(std::string_view text, int line,
                                    DiagnosticList& diagnostics) {
   Numbers numbers;

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "scene/diagnostic_list.h"
+#include "scene/quoted.h"
 
 namespace truelux {
 
@@ -42,9 +43,6 @@ class StatementReader {
 /// Removes the first word of a text and the blanks around it; empty if there
 /// is none.
 std::string_view TakeWord(std::string_view& text);
-
-/// A word of the input as it appears in a message: in quotes, not too long.
-std::string Quoted(std::string_view word);
 
 /// The numbers of a statement; `count` may exceed what is stored.
 struct Numbers {

@@ -105,13 +105,17 @@ INSTANTIATE_TEST_SUITE_P(
                   {"t.csv:1: error: no header; expected the columns "
                    "x,y,z,nx,ny,nz"}},
         BadHeader{"x,y,z,nx,ny\n",
-                  {"t.csv:1: error: the header lacks the column nz"}},
+                  {"t.csv:1: error: the header lacks the column nz; expected "
+                   "names like x,y,z,nx,ny,nz with commas between, found "
+                   "'x,y,z,nx,ny'"}},
         BadHeader{"\nX,y,z\n",
                   {"t.csv:2: error: the header lacks the columns x, nx, ny, "
-                   "nz"}},
+                   "nz; expected names like x,y,z,nx,ny,nz with commas "
+                   "between, found 'X,y,z'"}},
         BadHeader{"0,0,0,0,0,1\n",
                   {"t.csv:1: error: the header lacks the columns x, y, z, nx, "
-                   "ny, nz"}},
+                   "ny, nz; expected names like x,y,z,nx,ny,nz with commas "
+                   "between, found '0,0,0,0,0,1'"}},
         BadHeader{"x,y,z,nx,ny,nz, x\n",
                   {"t.csv:1: error: column 'x' stands twice"}},
         BadHeader{"x,y,z,nx,ny,nz,on_face,on_face\n",

@@ -137,9 +137,9 @@ TEST(ObjDefects, AreReportedTogetherInTheOrderOfLines) {
 }
 
 TEST(ObjDefects, OfAllFacesAreNotAlsoNotedAsNoFaces) {
-  const Result<Scene> result = ReadSceneText("v 0 0 1\nf 0 1 2\n");
+  const Result<Scene> result = ReadSceneText("v 0 0 1\nv 0 1 1\nf 0 1 2\n");
   ASSERT_EQ(result.diagnostics.size(), 1U) << TextOf(result.diagnostics);
-  EXPECT_EQ(result.diagnostics[0].line, 2);
+  EXPECT_EQ(result.diagnostics[0].line, 3);
 }
 
 TEST(ObjDefects, AreCountedBeyondHundred) {

@@ -49,7 +49,9 @@ TEST(ReadScene, ADirectoryIsOneError) {
 
 TEST(ReadScene, AFileThatFailsWhileItIsReadIsOneError) {
   const std::filesystem::path unreadable = "/proc/self/mem";
-  if (!std::filesystem::exists(unreadable)) GTEST_SKIP();
+  if (!std::filesystem::exists(unreadable)) {
+    GTEST_SKIP() << "only Linux has " << unreadable;
+  }
   const Result<Scene> result = ReadScene(unreadable);
   EXPECT_FALSE(result.ok());
   EXPECT_EQ(TextOf(result.diagnostics),

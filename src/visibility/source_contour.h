@@ -90,7 +90,7 @@ class SourceContour {
   void CollectBlockerEdges();
   bool HasOppositeBlocker(std::span<const EdgeOfPart> group,
                           const EdgeOfPart& edge);
-  void Sweep(int candidate);
+  void Sweep(int id);
   bool SweepParts(const Candidate& candidate, int id);
   bool SweepSource(const Candidate& candidate, int id, NeededSides& needed);
   static bool IsOwnedBefore(const Part& part, const Cover& cover, int id);

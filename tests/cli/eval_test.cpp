@@ -62,6 +62,17 @@ TEST_F(Eval, OnFaceIsAColumnAndIgnoresTheFace) {
             "x,y,z,nx,ny,nz,on_face,E_r,E_g,E_b\n0,0,0.5,0,0,1,1,0,0,0\n");
 }
 
+TEST_F(Eval, ASceneInWhichNothingEmitsIsNoted) {
+  folder_.Write("square.mtl", "newmtl light\nKd 1 1 1\n");
+  const Outcome outcome = Run({"--at", "0,0,0", "--normal", "0,0,1"});
+  EXPECT_EQ(outcome.exit_status, 0);
+  EXPECT_NE(outcome.err.find("square.obj: note: no face emits"),
+            std::string::npos)
+      << outcome.err;
+  folder_.Write("square.mtl", "newmtl light\nKe 0 0 1\n");
+  EXPECT_EQ(Run({"--at", "0,0,0", "--normal", "0,0,1"}).err, "");
+}
+
 TEST_F(Eval, RadianceIsPiTimesAsMuch) {
   const std::vector<std::string> one = {"--at", "0,0,0", "--normal", "0,0,1"};
   std::vector<std::string> radiance = one;

@@ -206,7 +206,11 @@ Ball<T> AngleInHalfPlane(const Ball<T>& y, const Ball<T>& x) {
   constexpr double kWhole = 3.1415926535897936;
   const double x_size = Magnitude(x.value);
   const double y_size = Magnitude(y.value);
-  if (!InSafeRange(std::max(x_size, y_size))) return {T{}, kWhole};
+  // Neither Atan2 nor max() may meet a NaN.
+  const bool bounded = IsBounded(x) && IsBounded(y);
+  if (!bounded || !InSafeRange(std::max(x_size, y_size))) {
+    return {T{}, kWhole};
+  }
   const T angle = Atan2(y.value, x.value);
   const double x_least = std::max(0.0, LowerMagnitude(x.value) - x.error);
   const double y_least = std::max(0.0, LowerMagnitude(y.value) - y.error);
@@ -217,8 +221,6 @@ Ball<T> AngleInHalfPlane(const Ball<T>& y, const Ball<T>& x) {
                              (y_size + y.error) * x.error + kUnderflow) /
                                 square);
   }
-  // A NaN operand must not hide behind min().
-  if (!IsBounded(x) || !IsBounded(y)) turn = kWhole;
   return {angle,
           RoundBoundUp(turn + RoundingError<T>::kAtan2 * Magnitude(angle))};
 }

@@ -50,7 +50,9 @@ struct ContourArc {
   Vector3 plane_normal;  ///< largest component 1 in absolute value
 };
 
-/// The visible contours of all sources seen from one receiver.
+/// The visible contours of all sources seen from one receiver. An arc ends
+/// where the contour turns or at a scene vertex, whatever the engine; edges
+/// between the triangles of one face that is not planar are none.
 struct VisibleContour {
   std::vector<ContourVertex> vertices;
   std::vector<ContourArc> arcs;

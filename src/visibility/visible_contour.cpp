@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exact/primitive.h"
+#include "visibility/arc_cleanup.h"
 #include "visibility/view_edges.h"
 
 namespace truelux {
@@ -40,7 +41,7 @@ class Describer {
   VisibleContour Describe() {
     for (const SourceArcs& source : contour_.sources)
       DescribeSource(source);
-    JoinArcs();
+    CleanUpArcs();
     DropUnusedVertices();
     result_.statistics = contour_.statistics;
     return std::move(result_);
@@ -62,47 +63,23 @@ class Describer {
       const Vec3<Exact> normal =
           evaluator_.Plane(contour_.planes[static_cast<std::size_t>(arc.plane)],
                            contour_.explicit_vectors);
-      planes_.push_back(MakePrimitive(arc.positive ? normal : -normal));
-      described.plane_normal = ToDouble(planes_.back());
-      result_.arcs.push_back(described);
+      const PrimitiveVector plane =
+          MakePrimitive(arc.positive ? normal : -normal);
+      described.plane_normal = ToDouble(plane);
+      arcs_.push_back({described, plane});
     }
   }
 
-  /// Joins two arcs where nothing but they meet and one goes on as the other:
-  /// an engine may split an arc anywhere. Arcs of equal opposite planes (the
-  /// arrangement's cuts) are left as they are.
-  void JoinArcs() {
-    const std::size_t count = result_.vertices.size();
-    std::vector<std::vector<std::size_t>> arriving(count);
-    std::vector<std::vector<std::size_t>> leaving(count);
-    for (std::size_t a = 0; a < result_.arcs.size(); ++a) {
-      leaving[static_cast<std::size_t>(result_.arcs[a].from)].push_back(a);
-      arriving[static_cast<std::size_t>(result_.arcs[a].to)].push_back(a);
+  /// Undoes what is the engine's own: split arcs and opposite pairs.
+  void CleanUpArcs() {
+    std::vector<PrimitiveVector> directions(result_.vertices.size());
+    for (const auto& [direction, vertex] : index_) {
+      directions[static_cast<std::size_t>(vertex)] = direction;
     }
-    std::vector<bool> gone(result_.arcs.size(), false);
-    for (std::size_t v = 0; v < count; ++v) {
-      if (result_.vertices[v].kind == VertexKind::kIntrinsic ||
-          arriving[v].size() != 1 || leaving[v].size() != 1) {
-        continue;
-      }
-      const std::size_t first = arriving[v][0];
-      const std::size_t second = leaving[v][0];
-      if (first == second ||
-          result_.arcs[first].source != result_.arcs[second].source ||
-          planes_[first] != planes_[second]) {
-        continue;
-      }
-      const int end = result_.arcs[second].to;
-      result_.arcs[first].to = end;
-      gone[second] = true;
-      auto& into_end = arriving[static_cast<std::size_t>(end)];
-      *std::ranges::find(into_end, second) = first;
-    }
-    std::size_t kept = 0;
-    for (std::size_t a = 0; a < gone.size(); ++a) {
-      if (!gone[a]) result_.arcs[kept++] = result_.arcs[a];
-    }
-    result_.arcs.resize(kept);
+    arcs_ =
+        JoinedArcs(WithoutOppositeArcs(arcs_, directions), result_.vertices);
+    for (const ExactArc& a : arcs_)
+      result_.arcs.push_back(a.arc);
   }
 
   void DropUnusedVertices() {
@@ -176,7 +153,7 @@ class Describer {
   ReceiverView view_;
   RecipeEvaluator<Exact> evaluator_;
   VisibleContour result_;
-  std::vector<PrimitiveVector> planes_;  ///< per arc of the result
+  std::vector<ExactArc> arcs_;
   std::map<PrimitiveVector, int> index_;
   std::vector<Coincidence> coincidences_;  ///< per vertex of the result
   std::vector<int> described_for_;         ///< per vertex: last facet

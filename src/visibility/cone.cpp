@@ -87,13 +87,6 @@ std::array<int, 3> ConeMaker::Corners(int triangle) {
   return corners;
 }
 
-std::array<int, 3> ConeMaker::CornerDirections(int triangle) {
-  std::array<int, 3> directions = Corners(triangle);
-  for (int& d : directions)
-    d = geometry_.VertexDirection(d);
-  return directions;
-}
-
 const Cone& ConeMaker::Whole(int triangle) {
   int& index = whole_index_[static_cast<std::size_t>(triangle)];
   if (index < 0) {

@@ -49,10 +49,6 @@ class ConeMaker {
   /// Sign of h_t, asked once per triangle.
   Sign ReceiverSide(int triangle);
 
-  /// The directions to the triangle's corners, counter-clockwise from r.
-  /// Requires ReceiverSide != zero.
-  std::array<int, 3> CornerDirections(int triangle);
-
   /// The cone of a whole triangle. Requires ReceiverSide != zero.
   const Cone& Whole(int triangle);
 

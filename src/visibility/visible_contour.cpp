@@ -1,8 +1,6 @@
 #include "visibility/visible_contour.h"
 
-#include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
 #include <utility>
 

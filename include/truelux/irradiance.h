@@ -4,6 +4,8 @@
 #define TRUELUX_IRRADIANCE_H_
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "truelux/geometry.h"
 #include "truelux/receiver.h"
@@ -65,6 +67,12 @@ class Oracle {
   /// and 0 <= on_face <= number of faces (std::invalid_argument otherwise).
   /// The result does not depend on the engine or on the thread.
   [[nodiscard]] Irradiance Evaluate(const Receiver& receiver) const;
+
+  /// The same for many receivers, in their order: entry i is what
+  /// Evaluate(receivers[i]) gives, statistics included. Cheaper where
+  /// consecutive receivers are near each other, as in grids and images.
+  [[nodiscard]] std::vector<Irradiance> Evaluate(
+      std::span<const Receiver> receivers) const;
 
   /// The form factor of one face [1]: E with that face's M = 1 and the
   /// others' 0, all faces blocking as ever. face: its number, from 1.

@@ -59,6 +59,15 @@ Irradiance Oracle::Evaluate(const Receiver& receiver) const {
       {options_.method, options_.emission, options_.formula});
 }
 
+std::vector<Irradiance> Oracle::Evaluate(
+    std::span<const Receiver> receivers) const {
+  std::vector<Irradiance> results;
+  results.reserve(receivers.size());
+  for (const Receiver& receiver : receivers)
+    results.push_back(Evaluate(receiver));
+  return results;
+}
+
 Irradiance Oracle::FormFactor(const Receiver& receiver, int face) const {
   RequireReceiver(receiver, scene_);
   RequireFace(face, 1, scene_, "the face number");

@@ -15,8 +15,6 @@
 
 namespace truelux {
 
-class ContourEngine;
-
 /// kContour walks the edges; kArrangement builds the whole view as an exact
 /// planar map and is slow. They share no line of visibility and agree.
 enum class Engine { kContour, kArrangement };
@@ -84,7 +82,8 @@ class Oracle {
  private:
   Scene scene_;
   OracleOptions options_;
-  std::shared_ptr<const ContourEngine> contour_engine_;
+  struct Prepared;
+  std::shared_ptr<Prepared> prepared_;
 };
 
 }  // namespace truelux

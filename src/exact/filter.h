@@ -20,20 +20,21 @@
 
 namespace truelux {
 
-/// |fl(x op y) - x op y| <= kUnit |x op y|, rounding in any one direction.
-inline constexpr double kUnit = 0x1p-52;
+/// |fl(x op y) - x op y| <= kDirectedUnit |x op y|, rounding in any one direction.
+inline constexpr double kDirectedUnit = 0x1p-52;
 
 /// Relative rounding error of the sum of three products, rounded in any one
-/// direction: kUnit from the product and twice kUnit from the sums on top,
-/// (1 + kUnit)^3 - 1 < 4 kUnit, relative to the sum of absolute values.
-inline constexpr double kDotFactor = 4 * kUnit;
+/// direction: kDirectedUnit from the product and twice kDirectedUnit from the sums on top,
+/// (1 + kDirectedUnit)^3 - 1 < 4 kDirectedUnit, relative to the sum of absolute values.
+inline constexpr double kDotFactor = 4 * kDirectedUnit;
+
+/// Two products and their difference: 2 kDirectedUnit + 2 kDirectedUnit (1 + kDirectedUnit) < 5 kDirectedUnit,
+/// relative to the largest product.
+inline constexpr double kCrossFactor = 5 * kDirectedUnit;
 
 /// Underflow: a product errs by at most 2^-1074 more, a sum by nothing more;
 /// three products.
 inline constexpr double kDotFloor = 0x1p-1072;
-
-/// A product of two such numbers, for EdgeOrder: one rounding.
-inline constexpr double kProductFloor = 0x1p-1073;
 
 /// Below this no component has overflowed.
 inline constexpr double kNoOverflow = 0x1p1022;
@@ -93,8 +94,22 @@ inline FilteredDirection FilteredDifference(const Point3& a, const Point3& b) {
   FilteredDirection d =
       MakeFilteredDirection({b.x - a.x, b.y - a.y, b.z - a.z, 0});
   // A negative overflow is rounded up to -DBL_MAX: no infinity warns of it.
-  d.v.error = d.max < kNoOverflow ? d.max * kUnit : HUGE_VAL;
+  d.v.error = d.max < kNoOverflow ? d.max * kDirectedUnit : HUGE_VAL;
   return d;
+}
+
+/// u x e. A component is the difference of two products; with m = max|u~|
+/// max|e~| a product errs by |u~||de| + |e~||du| + |du||de| + kDirectedUnit m, and the
+/// difference is rounded by 2 kDirectedUnit m (1 + kDirectedUnit) more. Requires RoundUpward.
+inline ApproxVector FilteredCross(const FilteredDirection& u,
+                                  const FilteredDirection& e) {
+  const double m = u.max * e.max;
+  const double error =
+      2 * (u.max * e.v.error + e.max * u.v.error + u.v.error * e.v.error) +
+      kCrossFactor * m + kDotFloor;
+  return {u.v.y * e.v.z - u.v.z * e.v.y, u.v.z * e.v.x - u.v.x * e.v.z,
+          u.v.x * e.v.y - u.v.y * e.v.x,
+          error < kNoDotOverflow && m < kNoDotOverflow ? error : HUGE_VAL};
 }
 
 /// A plane normal, ready for FilteredDot. With p the true normal, d the true

@@ -1,5 +1,9 @@
 #include "exact/view_geometry.h"
 
+#include <algorithm>
+#include <bit>
+#include <utility>
+
 namespace truelux {
 
 std::vector<FilteredPlane> FilteredTriangleNormals(
@@ -15,88 +19,141 @@ std::vector<FilteredPlane> FilteredTriangleNormals(
   return normals;
 }
 
-ViewGeometry::ViewGeometry(const ReceiverView& view,
-                           std::span<const FilteredPlane> triangle_normals)
+template <PredicateKind kKind>
+BasicViewGeometry<kKind>::BasicViewGeometry(
+    const ReceiverView& view, std::span<const FilteredPlane> triangle_normals)
     : view_(view),
       triangle_normals_(triangle_normals),
       interval_(view),
       exact_(view),
-      vertex_directions_(view.vertices.size(), -1) {}
-
-int ViewGeometry::AddPlane(const PlaneRecipe& recipe) {
-  PlaneEntry entry;
-  entry.recipe = recipe;
-  entry.interval = interval_.Plane(recipe, {});
-  entry.filtered = MakeFilteredPlane(Approximate(entry.interval));
-  planes_.push_back(std::move(entry));
-  return static_cast<int>(planes_.size()) - 1;
+      vertex_directions_(view.vertices.size()) {
+  SetReceiver(view.position, view.normal);
 }
 
-int ViewGeometry::VertexDirection(int vertex) {
-  int& id = vertex_directions_[Index(vertex)];
-  if (id < 0) {
-    id = static_cast<int>(directions_.size());
-    DirectionEntry entry;
-    entry.recipe = {.kind = DirectionRecipe::Kind::kVertex, .a = vertex};
-    entry.filtered =
-        FilteredDifference(view_.position, view_.vertices[Index(vertex)]);
-    directions_.push_back(std::move(entry));
+template <PredicateKind kKind>
+void BasicViewGeometry<kKind>::SetReceiver(const Point3& position,
+                                           const Vector3& normal) {
+  view_.position = position;
+  view_.normal = normal;
+  interval_ = RecipeEvaluator<Interval>(view_);
+  exact_ = RecipeEvaluator<Exact>(view_);
+  planes_.clear();
+  directions_.clear();
+  bundles_.clear();
+  slow_.clear();
+  statistics_ = {};
+  if (++generation_ == 0) {  // it wrapped around
+    std::ranges::fill(vertex_directions_, VertexEntry{});
+    generation_ = 1;
+  }
+}
+
+template <PredicateKind kKind>
+int BasicViewGeometry<kKind>::AddPlane(const PlaneRecipe& recipe) {
+  const int id = plane_count();
+  planes_.push_back({{}, recipe, kNotMade});
+  if (recipe.kind == PlaneRecipe::Kind::kEdge) {
+    const Point3& a = view_.vertices[Index(recipe.a)];
+    const Point3& b = view_.vertices[Index(recipe.b)];
+    ApproxVector normal = FilteredCross(FilteredDifference(view_.position, a),
+                                        FilteredDifference(a, b));
+    if (recipe.negated) {
+      normal = {-normal.x, -normal.y, -normal.z, normal.error};
+    }
+    planes_.back().filtered = MakeFilteredPlane(normal);
+  } else {
+    planes_.back().filtered =
+        MakeFilteredPlane(Approximate(SlowPlane(id).interval));
   }
   return id;
 }
 
-int ViewGeometry::AddDirection(const DirectionRecipe& recipe) {
-  DirectionEntry entry;
-  entry.recipe = recipe;
-  entry.interval = interval_.Direction(recipe, {}, {});
-  entry.filtered = MakeFilteredDirection(Approximate(*entry.interval));
-  directions_.push_back(std::move(entry));
-  return static_cast<int>(directions_.size()) - 1;
-}
-
-const Vec3<Interval>& ViewGeometry::DirectionInterval(int id) {
-  DirectionEntry& entry = directions_[Index(id)];
-  if (!entry.interval) {
-    entry.interval = interval_.Direction(entry.recipe, {}, {});
+template <PredicateKind kKind>
+int BasicViewGeometry<kKind>::VertexDirection(int vertex) {
+  VertexEntry& entry = vertex_directions_[Index(vertex)];
+  if (entry.generation != generation_) {
+    entry = {generation_, direction_count()};
+    directions_.push_back(
+        {FilteredDifference(view_.position, view_.vertices[Index(vertex)]),
+         {.kind = DirectionRecipe::Kind::kVertex, .a = vertex},
+         kNotMade});
   }
-  return *entry.interval;
+  return entry.direction;
 }
 
-const Vec3<Exact>& ViewGeometry::PlaneExact(int id) {
-  PlaneEntry& entry = planes_[Index(id)];
-  if (!entry.exact) {
-    entry.exact = std::make_unique<Vec3<Exact>>(exact_.Plane(entry.recipe, {}));
+template <PredicateKind kKind>
+int BasicViewGeometry<kKind>::AddDirection(const DirectionRecipe& recipe) {
+  const int id = direction_count();
+  directions_.push_back({{}, recipe, kNotMade});
+  directions_.back().filtered =
+      MakeFilteredDirection(Approximate(SlowDirection(id).interval));
+  return id;
+}
+
+template <PredicateKind kKind>
+auto BasicViewGeometry<kKind>::SlowPlane(int id) -> SlowVector& {
+  int& index = planes_[Index(id)].slow;
+  if (index == kNotMade) {
+    index = static_cast<int>(slow_.size());
+    slow_.push_back({interval_.Plane(planes_[Index(id)].recipe, {}), nullptr});
   }
-  return *entry.exact;
+  return slow_[Index(index)];
 }
 
-const Vec3<Exact>& ViewGeometry::DirectionExact(int id) {
-  DirectionEntry& entry = directions_[Index(id)];
-  if (!entry.exact) {
-    entry.exact =
-        std::make_unique<Vec3<Exact>>(exact_.Direction(entry.recipe, {}, {}));
+template <PredicateKind kKind>
+auto BasicViewGeometry<kKind>::SlowDirection(int id) -> SlowVector& {
+  int& index = directions_[Index(id)].slow;
+  if (index == kNotMade) {
+    index = static_cast<int>(slow_.size());
+    slow_.push_back(
+        {interval_.Direction(directions_[Index(id)].recipe, {}, {}), nullptr});
   }
-  return *entry.exact;
+  return slow_[Index(index)];
 }
 
-std::optional<Sign> ViewGeometry::ReceiverSideInterval(int triangle) const {
+template <PredicateKind kKind>
+const Vec3<Exact>& BasicViewGeometry<kKind>::PlaneExact(int id) {
+  SlowVector& slow = SlowPlane(id);
+  if (!slow.exact) {
+    slow.exact = std::make_unique<Vec3<Exact>>(
+        exact_.Plane(planes_[Index(id)].recipe, {}));
+  }
+  return *slow.exact;
+}
+
+template <PredicateKind kKind>
+const Vec3<Exact>& BasicViewGeometry<kKind>::DirectionExact(int id) {
+  SlowVector& slow = SlowDirection(id);
+  if (!slow.exact) {
+    slow.exact = std::make_unique<Vec3<Exact>>(
+        exact_.Direction(directions_[Index(id)].recipe, {}, {}));
+  }
+  return *slow.exact;
+}
+
+template <PredicateKind kKind>
+std::optional<Sign> BasicViewGeometry<kKind>::ReceiverSideInterval(
+    int triangle) const {
   return TrySign(interval_.Height(triangle));
 }
 
-Sign ViewGeometry::ReceiverSideExact(int triangle) const {
+template <PredicateKind kKind>
+Sign BasicViewGeometry<kKind>::ReceiverSideExact(int triangle) const {
   return SignOf(exact_.Height(triangle));
 }
 
-Sign ViewGeometry::ReceiverSide(int triangle) {
+template <PredicateKind kKind>
+Sign BasicViewGeometry<kKind>::ReceiverSide(int triangle) {
   const Point3& corner =
       view_.vertices[Index(view_.triangles[Index(triangle)].vertices[0])];
   StageCounts& counts = statistics_.receiver_side;
-  if (const auto sign =
-          TrySign(FilteredDot(triangle_normals_[Index(triangle)],
-                              FilteredDifference(view_.position, corner)))) {
+  const BoundedValue value = Filter(triangle_normals_[Index(triangle)],
+                                    FilteredDifference(view_.position, corner));
+  if (const auto sign = TrySign(value)) {
     ++counts.filter;
     return *sign;
   }
+  if constexpr (kKind == PredicateKind::kUnfiltered) return Sign::kZero;
   if (const auto sign = ReceiverSideInterval(triangle)) {
     ++counts.interval;
     return *sign;
@@ -105,25 +162,34 @@ Sign ViewGeometry::ReceiverSide(int triangle) {
   return ReceiverSideExact(triangle);
 }
 
-std::optional<Sign> ViewGeometry::VertexSideInterval(int triangle,
-                                                     int vertex) const {
+template <PredicateKind kKind>
+std::optional<Sign> BasicViewGeometry<kKind>::VertexSideInterval(
+    int triangle, int vertex) const {
   return TrySign(interval_.AboveTriangle(triangle, vertex));
 }
 
-Sign ViewGeometry::VertexSideExact(int triangle, int vertex) const {
+template <PredicateKind kKind>
+Sign BasicViewGeometry<kKind>::VertexSideExact(int triangle, int vertex) const {
   return SignOf(exact_.AboveTriangle(triangle, vertex));
 }
 
-Sign ViewGeometry::VertexSide(int triangle, int vertex) {
-  const Point3& corner =
-      view_.vertices[Index(view_.triangles[Index(triangle)].vertices[0])];
+template <PredicateKind kKind>
+Sign BasicViewGeometry<kKind>::VertexSide(int triangle, int vertex) {
+  const auto& corners = view_.triangles[Index(triangle)].vertices;
   StageCounts& counts = statistics_.vertex_side;
-  if (const auto sign = TrySign(FilteredDot(
-          triangle_normals_[Index(triangle)],
-          FilteredDifference(corner, view_.vertices[Index(vertex)])))) {
+  if (vertex == corners[0] || vertex == corners[1] || vertex == corners[2]) {
+    ++counts.symbolic;
+    return Sign::kZero;
+  }
+  const BoundedValue value =
+      Filter(triangle_normals_[Index(triangle)],
+             FilteredDifference(view_.vertices[Index(corners[0])],
+                                view_.vertices[Index(vertex)]));
+  if (const auto sign = TrySign(value)) {
     ++counts.filter;
     return *sign;
   }
+  if constexpr (kKind == PredicateKind::kUnfiltered) return Sign::kZero;
   if (const auto sign = VertexSideInterval(triangle, vertex)) {
     ++counts.interval;
     return *sign;
@@ -132,21 +198,23 @@ Sign ViewGeometry::VertexSide(int triangle, int vertex) {
   return VertexSideExact(triangle, vertex);
 }
 
-BoundedValue ViewGeometry::PlaneSideFilter(int plane, int direction) const {
-  return FilteredDot(planes_[Index(plane)].filtered,
-                     directions_[Index(direction)].filtered);
+template <PredicateKind kKind>
+std::optional<Sign> BasicViewGeometry<kKind>::PlaneSideInterval(int plane,
+                                                                int direction) {
+  // By value: the second may move the first.
+  const Vec3<Interval> normal = SlowPlane(plane).interval;
+  return TrySign(Dot(normal, SlowDirection(direction).interval));
 }
 
-std::optional<Sign> ViewGeometry::PlaneSideInterval(int plane, int direction) {
-  return TrySign(
-      Dot(planes_[Index(plane)].interval, DirectionInterval(direction)));
+template <PredicateKind kKind>
+Sign BasicViewGeometry<kKind>::PlaneSideExact(int plane, int direction) {
+  // References stay valid: the exact vectors live on the heap.
+  const Vec3<Exact>& normal = PlaneExact(plane);
+  return SignOf(Dot(normal, DirectionExact(direction)));
 }
 
-Sign ViewGeometry::PlaneSideExact(int plane, int direction) {
-  return SignOf(Dot(PlaneExact(plane), DirectionExact(direction)));
-}
-
-bool ViewGeometry::Incident(int plane, int direction) const {
+template <PredicateKind kKind>
+bool BasicViewGeometry<kKind>::Incident(int plane, int direction) const {
   const PlaneRecipe& p = planes_[Index(plane)].recipe;
   const DirectionRecipe& d = directions_[Index(direction)].recipe;
   using PlaneKind = PlaneRecipe::Kind;
@@ -173,7 +241,44 @@ bool ViewGeometry::Incident(int plane, int direction) const {
   }
 }
 
-bool ViewGeometry::SameEdge(int plane, int other) const {
+template <PredicateKind kKind>
+Sign BasicViewGeometry<kKind>::PlaneSideSlowly(int plane, int direction) {
+  StageCounts& counts = statistics_.plane_side;
+  if (Incident(plane, direction)) {
+    ++counts.symbolic;
+    return Sign::kZero;
+  }
+  if (const auto sign = PlaneSideInterval(plane, direction)) {
+    ++counts.interval;
+    return *sign;
+  }
+  ++counts.exact;
+  return PlaneSideExact(plane, direction);
+}
+
+template <PredicateKind kKind>
+int BasicViewGeometry<kKind>::AddBundle(std::span<const int> planes) {
+  const int id = static_cast<int>(bundles_.size());
+  PlaneBundle& bundle = bundles_.emplace_back();
+  for (const int plane : planes)
+    bundle.Add(planes_[Index(plane)].filtered, plane);
+  return id;
+}
+
+template <PredicateKind kKind>
+void BasicViewGeometry<kKind>::DecideSides(int bundle, int direction,
+                                           std::uint32_t open,
+                                           BundleSides& sides) {
+  for (; open != 0; open &= open - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(open));
+    const Sign sign = PlaneSideSlowly(bundles_[Index(bundle)].id(k), direction);
+    if (sign == Sign::kPositive) sides.positive |= 1U << k;
+    if (sign == Sign::kNegative) sides.negative |= 1U << k;
+  }
+}
+
+template <PredicateKind kKind>
+bool BasicViewGeometry<kKind>::SameEdge(int plane, int other) const {
   if (plane == other) return true;
   const PlaneRecipe& p = planes_[Index(plane)].recipe;
   const PlaneRecipe& q = planes_[Index(other)].recipe;
@@ -181,72 +286,35 @@ bool ViewGeometry::SameEdge(int plane, int other) const {
          ((p.a == q.a && p.b == q.b) || (p.a == q.b && p.b == q.a));
 }
 
-Side ViewGeometry::PlaneSide(int plane, int direction) {
-  StageCounts& counts = statistics_.plane_side;
-  if (Incident(plane, direction)) {
-    ++counts.symbolic;
-    return {Sign::kZero, {}};
-  }
-  const BoundedValue value = PlaneSideFilter(plane, direction);
-  if (const auto sign = TrySign(value)) {
-    ++counts.filter;
-    return {*sign, value};
-  }
-  if (const auto sign = PlaneSideInterval(plane, direction)) {
-    ++counts.interval;
-    return {*sign, value};
-  }
-  ++counts.exact;
-  return {PlaneSideExact(plane, direction), value};
-}
-
-std::optional<Sign> ViewGeometry::EdgeOrderFilter(const Crossing& a,
-                                                  const Crossing& b) {
-  // |x y - fl(x~ y~)| <= |x~| e_y + |y~| e_x + e_x e_y + kUnit |x~ y~| +
-  // underflow; the difference of the two products is rounded once more.
-  const auto product = [](const BoundedValue& x, const BoundedValue& y) {
-    const double ax = std::fabs(x.value);
-    const double ay = std::fabs(y.value);
-    const double value = ax * ay;
-    return BoundedValue{value, ax * y.error + ay * x.error + x.error * y.error +
-                                   value * kUnit + kProductFloor};
-  };
-  const BoundedValue first = product(a.from.value, b.to.value);
-  const BoundedValue second = product(b.from.value, a.to.value);
-  const double difference = first.value - second.value;
-  return TrySign(BoundedValue{
-      difference, first.error + second.error + std::fabs(difference) * kUnit});
-}
-
-std::optional<Sign> ViewGeometry::EdgeOrderInterval(int edge_plane,
-                                                    const Crossing& a,
-                                                    const Crossing& b) const {
-  const auto sign = TrySign(Determinant(planes_[Index(edge_plane)].interval,
-                                        planes_[Index(a.plane)].interval,
-                                        planes_[Index(b.plane)].interval));
+template <PredicateKind kKind>
+std::optional<Sign> BasicViewGeometry<kKind>::EdgeOrderInterval(
+    int edge_plane, const Crossing& a, const Crossing& b) {
+  // By value: making one may move the others.
+  const Vec3<Interval> n = SlowPlane(edge_plane).interval;
+  const Vec3<Interval> na = SlowPlane(a.plane).interval;
+  const auto sign = TrySign(Determinant(n, na, SlowPlane(b.plane).interval));
   if (!sign) return std::nullopt;
-  return -(a.from.sign * b.from.sign * *sign);
+  return -(a.from * b.from * *sign);
 }
 
-Sign ViewGeometry::EdgeOrderExact(int edge_plane, const Crossing& a,
-                                  const Crossing& b) {
+template <PredicateKind kKind>
+Sign BasicViewGeometry<kKind>::EdgeOrderExact(int edge_plane, const Crossing& a,
+                                              const Crossing& b) {
   // References stay valid: the exact vectors live on the heap.
   const Vec3<Exact>& n = PlaneExact(edge_plane);
   const Vec3<Exact>& na = PlaneExact(a.plane);
   const Vec3<Exact>& nb = PlaneExact(b.plane);
-  return -(a.from.sign * b.from.sign * SignOf(Determinant(n, na, nb)));
+  return -(a.from * b.from * SignOf(Determinant(n, na, nb)));
 }
 
-Sign ViewGeometry::EdgeOrder(int edge_plane, const Crossing& a,
-                             const Crossing& b) {
+template <PredicateKind kKind>
+Sign BasicViewGeometry<kKind>::EdgeOrderSlowly(int edge_plane,
+                                               const Crossing& a,
+                                               const Crossing& b) {
   StageCounts& counts = statistics_.edge_order;
   if (SameEdge(a.plane, b.plane)) {
     ++counts.symbolic;
     return Sign::kZero;
-  }
-  if (const auto sign = EdgeOrderFilter(a, b)) {
-    ++counts.filter;
-    return *sign;
   }
   if (const auto sign = EdgeOrderInterval(edge_plane, a, b)) {
     ++counts.interval;
@@ -255,5 +323,8 @@ Sign ViewGeometry::EdgeOrder(int edge_plane, const Crossing& a,
   ++counts.exact;
   return EdgeOrderExact(edge_plane, a, b);
 }
+
+template class BasicViewGeometry<PredicateKind::kExact>;
+template class BasicViewGeometry<PredicateKind::kUnfiltered>;
 
 }  // namespace truelux

@@ -8,6 +8,9 @@
 #ifndef TRUELUX_EXACT_VIEW_GEOMETRY_H_
 #define TRUELUX_EXACT_VIEW_GEOMETRY_H_
 
+#include <bit>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,37 +18,37 @@
 
 #include "truelux/statistics.h"
 
+#include "exact/crossing.h"
 #include "exact/filter.h"
+#include "exact/plane_bundle.h"
 #include "exact/recipe.h"
 #include "exact/sign.h"
 
 namespace truelux {
+
+/// How predicates are decided.
+enum class PredicateKind {
+  kExact,       ///< in stages, always right
+  kUnfiltered,  ///< the sign of the double value, right or wrong: only to
+                ///< measure what exactness costs
+};
 
 /// The filtered normals of the triangles of a scene; independent of receivers.
 /// Entry t belongs to triangle t.
 std::vector<FilteredPlane> FilteredTriangleNormals(
     std::span<const Point3> vertices, std::span<const Triangle> triangles);
 
-/// A sign together with the value the filter found for it.
-struct Side {
-  Sign sign = Sign::kZero;
-  BoundedValue value;
-};
-
-/// Where an edge u -> v through the view crosses a plane A that has u and v
-/// strictly on opposite sides.
-struct Crossing {
-  int plane = -1;  ///< A
-  Side from;       ///< A . u
-  Side to;         ///< A . v, the opposite sign
-};
-
-class ViewGeometry {
+template <PredicateKind kKind>
+class BasicViewGeometry {
  public:
-  /// triangle_normals: FilteredTriangleNormals of the view's scene. The
-  /// arguments must outlive the object.
-  ViewGeometry(const ReceiverView& view,
-               std::span<const FilteredPlane> triangle_normals);
+  /// triangle_normals: FilteredTriangleNormals of the view's scene. What the
+  /// arguments refer to must outlive the object.
+  BasicViewGeometry(const ReceiverView& view,
+                    std::span<const FilteredPlane> triangle_normals);
+
+  /// Forgets all planes, directions and counts and starts with another
+  /// receiver in the same scene. Allocates nothing in the steady state.
+  void SetReceiver(const Point3& position, const Vector3& normal);
 
   /// Adds a plane and returns its id. A kCut plane may refer to any triangle.
   int AddPlane(const PlaneRecipe& recipe);
@@ -57,6 +60,8 @@ class ViewGeometry {
   /// not be added: no predicate needs it.
   int AddDirection(const DirectionRecipe& recipe);
 
+  [[nodiscard]] const ReceiverView& view() const { return view_; }
+
   [[nodiscard]] const PlaneRecipe& plane(int id) const {
     return planes_[Index(id)].recipe;
   }
@@ -65,12 +70,22 @@ class ViewGeometry {
     return directions_[Index(id)].recipe;
   }
 
-  /// The direction as intervals.
-  const Vec3<Interval>& DirectionInterval(int id);
+  [[nodiscard]] int plane_count() const {
+    return static_cast<int>(planes_.size());
+  }
 
-  /// The normal of a triangle as intervals.
-  [[nodiscard]] Vec3<Interval> TriangleNormalInterval(int triangle) const {
-    return interval_.TriangleNormal(triangle);
+  [[nodiscard]] int direction_count() const {
+    return static_cast<int>(directions_.size());
+  }
+
+  /// The direction as the filter sees it.
+  [[nodiscard]] const FilteredDirection& DirectionFilter(int id) const {
+    return directions_[Index(id)].filtered;
+  }
+
+  /// The normal of a triangle as the filter sees it.
+  [[nodiscard]] const FilteredPlane& TriangleNormalFilter(int triangle) const {
+    return triangle_normals_[Index(triangle)];
   }
 
   /// Sign of h_t = N_t . (t0 - r): negative if r is in front of triangle t.
@@ -86,7 +101,45 @@ class ViewGeometry {
   /// Sign of N . d. Properties: (1) negating either argument negates it;
   /// (2) zero for the two ends of the plane's own edge, known without
   /// arithmetic. No tie rule.
-  Side PlaneSide(int plane, int direction);
+  Side PlaneSide(int plane, int direction) {
+    const BoundedValue value = PlaneSideFilter(plane, direction);
+    if constexpr (kKind == PredicateKind::kUnfiltered) {
+      ++statistics_.plane_side.filter;
+      return {SignOf(value.value), value};
+    }
+    if (const auto sign = TrySign(value)) {
+      ++statistics_.plane_side.filter;
+      return {*sign, value};
+    }
+    return {PlaneSideSlowly(plane, direction), value};
+  }
+
+  /// Puts up to BundleSides::kMaxPlanes planes side by side, for FilterSides.
+  /// Returns the bundle's id.
+  int AddBundle(std::span<const int> planes);
+
+  /// PlaneSide of all planes of a bundle, as far as the filter knows: a plane
+  /// with neither bit set is not known yet. Faster than one by one.
+  void FilterSides(int bundle, int direction, BundleSides& sides) {
+    bundles_[Index(bundle)].template Filter<kKind == PredicateKind::kExact>(
+        directions_[Index(direction)].filtered, sides);
+    statistics_.plane_side.filter += static_cast<std::uint64_t>(
+        std::popcount(sides.positive | sides.negative));
+  }
+
+  /// Decides the planes that FilterSides left open. After it, a plane with
+  /// neither bit set has sign zero.
+  void CompleteSides(int bundle, int direction, BundleSides& sides) {
+    if constexpr (kKind == PredicateKind::kUnfiltered) return;
+    const std::uint32_t open =
+        BundleMask(bundle) & ~(sides.positive | sides.negative);
+    if (open != 0) DecideSides(bundle, direction, open, sides);
+  }
+
+  /// A bit for every plane of a bundle.
+  [[nodiscard]] std::uint32_t BundleMask(int bundle) const {
+    return bundles_[Index(bundle)].mask();
+  }
 
   /// Order of two crossings along an edge u -> v in the plane N, N a positive
   /// multiple of u x v: negative if a comes first, zero if they coincide.
@@ -94,7 +147,17 @@ class ViewGeometry {
   /// |A.u| |B.v| - |B.u| |A.v| = -s_A s_B det(N, A, B) (method.md eq. (8)).
   /// Properties: (1) antisymmetric; (2) transitive; (3) negating A or B keeps
   /// it. Degree 6 for edge planes. No tie rule.
-  Sign EdgeOrder(int edge_plane, const Crossing& a, const Crossing& b);
+  Sign EdgeOrder(int edge_plane, const Crossing& a, const Crossing& b) {
+    if constexpr (kKind == PredicateKind::kUnfiltered) {
+      ++statistics_.edge_order.filter;
+      return SignOf(a.parameter - b.parameter);
+    }
+    if (const auto sign = TryOrder(a, b)) {
+      ++statistics_.edge_order.filter;
+      return *sign;
+    }
+    return EdgeOrderSlowly(edge_plane, a, b);
+  }
 
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
 
@@ -106,33 +169,64 @@ class ViewGeometry {
   [[nodiscard]] std::optional<Sign> VertexSideInterval(int triangle,
                                                        int vertex) const;
   [[nodiscard]] Sign VertexSideExact(int triangle, int vertex) const;
-  [[nodiscard]] BoundedValue PlaneSideFilter(int plane, int direction) const;
+
+  [[nodiscard]] BoundedValue PlaneSideFilter(int plane, int direction) const {
+    return Filter(planes_[Index(plane)].filtered,
+                  directions_[Index(direction)].filtered);
+  }
+
   std::optional<Sign> PlaneSideInterval(int plane, int direction);
   Sign PlaneSideExact(int plane, int direction);
-  [[nodiscard]] static std::optional<Sign> EdgeOrderFilter(const Crossing& a,
-                                                           const Crossing& b);
-  [[nodiscard]] std::optional<Sign> EdgeOrderInterval(int edge_plane,
-                                                      const Crossing& a,
-                                                      const Crossing& b) const;
+  std::optional<Sign> EdgeOrderInterval(int edge_plane, const Crossing& a,
+                                        const Crossing& b);
   Sign EdgeOrderExact(int edge_plane, const Crossing& a, const Crossing& b);
 
  private:
-  struct PlaneEntry {
-    PlaneRecipe recipe;
-    FilteredPlane filtered;
+  static constexpr int kNotMade = -1;
+
+  /// A vector at the slow stages, made when one is first needed.
+  struct SlowVector {
     Vec3<Interval> interval;
-    std::unique_ptr<Vec3<Exact>> exact;  ///< made when first needed
+    std::unique_ptr<Vec3<Exact>> exact;
   };
 
+  /// A direction to a vertex or a point of an edge.
   struct DirectionEntry {
-    DirectionRecipe recipe;
     FilteredDirection filtered;
-    std::optional<Vec3<Interval>> interval;  ///< made when first needed
-    std::unique_ptr<Vec3<Exact>> exact;      ///< made when first needed
+    DirectionRecipe recipe;
+    int slow = kNotMade;  ///< index into slow_
+  };
+
+  struct PlaneEntry {
+    FilteredPlane filtered;
+    PlaneRecipe recipe;
+    int slow = kNotMade;  ///< index into slow_
+  };
+
+  struct VertexEntry {
+    std::uint32_t generation = 0;  ///< valid if it is the current one
+    int direction = -1;
   };
 
   static std::size_t Index(int id) { return static_cast<std::size_t>(id); }
 
+  /// N . d with its bound; unfiltered without one.
+  static BoundedValue Filter(const FilteredPlane& plane,
+                             const FilteredDirection& direction) {
+    if constexpr (kKind == PredicateKind::kUnfiltered) {
+      return {plane.v.x * direction.v.x + plane.v.y * direction.v.y +
+                  plane.v.z * direction.v.z,
+              0};
+    }
+    return FilteredDot(plane, direction);
+  }
+
+  Sign PlaneSideSlowly(int plane, int direction);
+  void DecideSides(int bundle, int direction, std::uint32_t open,
+                   BundleSides& sides);
+  Sign EdgeOrderSlowly(int edge_plane, const Crossing& a, const Crossing& b);
+  SlowVector& SlowPlane(int id);
+  SlowVector& SlowDirection(int id);
   const Vec3<Exact>& PlaneExact(int id);
   const Vec3<Exact>& DirectionExact(int id);
 
@@ -142,9 +236,18 @@ class ViewGeometry {
   RecipeEvaluator<Exact> exact_;
   std::vector<PlaneEntry> planes_;
   std::vector<DirectionEntry> directions_;
-  std::vector<int> vertex_directions_;  ///< id per vertex; -1: not yet
+  std::vector<PlaneBundle> bundles_;
+  std::vector<SlowVector> slow_;
+  std::vector<VertexEntry> vertex_directions_;  ///< per scene vertex
+  std::uint32_t generation_ = 0;
   Statistics statistics_;
 };
+
+using ViewGeometry = BasicViewGeometry<PredicateKind::kExact>;
+using UnfilteredViewGeometry = BasicViewGeometry<PredicateKind::kUnfiltered>;
+
+extern template class BasicViewGeometry<PredicateKind::kExact>;
+extern template class BasicViewGeometry<PredicateKind::kUnfiltered>;
 
 }  // namespace truelux
 

@@ -1,10 +1,14 @@
 #include <cmath>
+#include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "truelux/irradiance.h"
 
+#include "exact/pool.h"
 #include "radiometry/evaluate.h"
 #include "visibility/arrangement_engine.h"
 #include "visibility/contour_engine.h"
@@ -38,10 +42,38 @@ void RequireReceiver(const Receiver& receiver, const Scene& scene) {
   RequireFace(receiver.on_face, 0, scene, "on_face");
 }
 
-Contour BuildContour(const ContourQuery& query, Engine engine,
-                     const ContourEngine& contour_engine) {
-  return engine == Engine::kContour ? contour_engine.Build(query)
-                                    : ContourByArrangement(query);
+/// What one thread needs for one receiver after the other.
+struct Workspace {
+  explicit Workspace(const ContourEngine& engine) : builder(engine) {}
+
+  ContourBuilder builder;
+  truelux::Contour contour;
+};
+
+}  // namespace
+
+/// What an oracle prepares once; shared by its copies.
+struct Oracle::Prepared {
+  explicit Prepared(const Scene& scene) : engine(scene) {}
+
+  Pool<Workspace>::Loan Borrow() {
+    return workspaces.Borrow(
+        [this] { return std::make_unique<Workspace>(engine); });
+  }
+
+  ContourEngine engine;
+  Pool<Workspace> workspaces;
+};
+
+namespace {
+
+void BuildContour(const ContourQuery& query, Engine engine,
+                  Workspace& workspace) {
+  if (engine == Engine::kContour) {
+    workspace.builder.Build(query, workspace.contour);
+  } else {
+    workspace.contour = ContourByArrangement(query);
+  }
 }
 
 }  // namespace
@@ -49,39 +81,46 @@ Contour BuildContour(const ContourQuery& query, Engine engine,
 Oracle::Oracle(Scene scene, const OracleOptions& options)
     : scene_(std::move(scene)),
       options_(options),
-      contour_engine_(std::make_shared<const ContourEngine>(scene_)) {}
-
-Irradiance Oracle::Evaluate(const Receiver& receiver) const {
-  RequireReceiver(receiver, scene_);
-  const ContourQuery query{scene_, receiver, 0};
-  return EvaluateContour(
-      query, BuildContour(query, options_.engine, *contour_engine_),
-      {options_.method, options_.emission, options_.formula});
-}
+      prepared_(std::make_shared<Prepared>(scene_)) {}
 
 std::vector<Irradiance> Oracle::Evaluate(
     std::span<const Receiver> receivers) const {
+  const EvaluationQuery evaluation{options_.method, options_.emission,
+                                   options_.formula};
   std::vector<Irradiance> results;
   results.reserve(receivers.size());
-  for (const Receiver& receiver : receivers)
-    results.push_back(Evaluate(receiver));
+  const auto workspace = prepared_->Borrow();
+  ContourQuery query{scene_, {}, 0};
+  for (const Receiver& receiver : receivers) {
+    RequireReceiver(receiver, scene_);
+    query.receiver = receiver;
+    BuildContour(query, options_.engine, *workspace);
+    results.push_back(EvaluateContour(query, workspace->contour, evaluation));
+  }
   return results;
+}
+
+Irradiance Oracle::Evaluate(const Receiver& receiver) const {
+  return Evaluate(std::span(&receiver, 1)).front();
 }
 
 Irradiance Oracle::FormFactor(const Receiver& receiver, int face) const {
   RequireReceiver(receiver, scene_);
   RequireFace(face, 1, scene_, "the face number");
   const ContourQuery query{scene_, receiver, face};
+  const auto workspace = prepared_->Borrow();
+  BuildContour(query, options_.engine, *workspace);
   return EvaluateContour(
-      query, BuildContour(query, options_.engine, *contour_engine_),
+      query, workspace->contour,
       {options_.method, Emission::kExitance, options_.formula});
 }
 
 VisibleContour Oracle::Contour(const Receiver& receiver) const {
   RequireReceiver(receiver, scene_);
   const ContourQuery query{scene_, receiver, 0};
-  return DescribeContour(
-      query, BuildContour(query, options_.engine, *contour_engine_));
+  const auto workspace = prepared_->Borrow();
+  BuildContour(query, options_.engine, *workspace);
+  return DescribeContour(query, workspace->contour);
 }
 
 }  // namespace truelux

@@ -5,70 +5,47 @@
 namespace truelux {
 namespace {
 
-constexpr signed char kUnknown = 2;
-
-EdgeKey KeyOf(int a, int b) {
-  const auto lo = static_cast<EdgeKey>(std::min(a, b));
-  const auto hi = static_cast<EdgeKey>(std::max(a, b));
-  return hi << 32 | lo;
-}
-
-/// The part of a triangle's cone where a linear function is >= 0. sides: the
-/// function's signs at the corners, at least one positive and one negative.
-/// cut: id of the plane where the function is 0, normal to the positive side.
-/// crossing(p, q): id of the direction where the edge between corner p
-/// (positive) and corner q (negative) meets the cut.
-template <class MakeCrossing>
-Cone Clip(const Cone& whole, const std::array<Sign, 3>& sides, int cut,
-          const MakeCrossing& crossing) {
-  Cone part;
-  part.triangle = whole.triangle;
-  const auto add = [&part](int direction, int plane, EdgeKey key) {
-    part.directions[part.size] = direction;
-    part.planes[part.size] = plane;
-    part.keys[part.size] = key;
-    ++part.size;
-  };
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t next = k < 2 ? k + 1 : 0;
-    const Sign here = sides[k];
-    const Sign there = sides[next];
-    if (here == Sign::kPositive ||
-        (here == Sign::kZero && there != Sign::kNegative)) {
-      add(whole.directions[k], whole.planes[k], whole.keys[k]);
-      if (there == Sign::kNegative) add(crossing(k, next), cut, kNoEdgeKey);
-    } else if (here == Sign::kZero) {
-      add(whole.directions[k], cut, kNoEdgeKey);
-    } else if (there == Sign::kPositive) {
-      add(crossing(next, k), whole.planes[k], whole.keys[k]);
-    }
-  }
-  return part;
+std::size_t Index(int i) {
+  return static_cast<std::size_t>(i);
 }
 
 }  // namespace
 
-ConeMaker::ConeMaker(ViewGeometry& geometry,
-                     std::span<const Triangle> triangles)
+template <class Geometry>
+ConeMaker<Geometry>::ConeMaker(Geometry& geometry, const ConvexPieces& pieces)
     : geometry_(geometry),
-      triangles_(triangles),
-      horizon_(geometry.AddPlane({.kind = PlaneRecipe::Kind::kHorizon})),
-      receiver_side_(triangles.size(), kUnknown),
-      whole_index_(triangles.size(), -1) {}
+      pieces_(pieces),
+      piece_entries_(pieces.pieces().size()),
+      edge_entries_(pieces.corners().size()) {}
 
-Sign ConeMaker::ReceiverSide(int triangle) {
-  signed char& side = receiver_side_[static_cast<std::size_t>(triangle)];
-  if (side == kUnknown) {
-    side = static_cast<signed char>(geometry_.ReceiverSide(triangle));
+template <class Geometry>
+void ConeMaker<Geometry>::SetReceiver() {
+  horizon_ = geometry_.AddPlane({.kind = PlaneRecipe::Kind::kHorizon});
+  horizon_side_.clear();
+  if (++generation_ == 0) {  // it wrapped around
+    std::ranges::fill(piece_entries_, PieceEntry{});
+    std::ranges::fill(edge_entries_, EdgeEntry{});
+    generation_ = 1;
   }
-  return static_cast<Sign>(side);
 }
 
-Sign ConeMaker::HorizonSide(int vertex) {
+template <class Geometry>
+Sign ConeMaker<Geometry>::ReceiverSide(int piece) {
+  PieceEntry& entry = piece_entries_[Index(piece)];
+  if (entry.generation != generation_) {
+    const int triangle = pieces_.pieces()[Index(piece)].triangle;
+    entry = {generation_, geometry_.ReceiverSide(triangle)};
+  }
+  return entry.side;
+}
+
+template <class Geometry>
+Sign ConeMaker<Geometry>::HorizonSide(int vertex) {
   const int direction = geometry_.VertexDirection(vertex);
-  const auto index = static_cast<std::size_t>(direction);
-  if (index >= horizon_side_.size()) horizon_side_.resize(index + 1, kUnknown);
-  signed char& side = horizon_side_[index];
+  if (Index(direction) >= horizon_side_.size()) {
+    horizon_side_.resize(Index(direction) + 1, kUnknown);
+  }
+  signed char& side = horizon_side_[Index(direction)];
   if (side == kUnknown) {
     side =
         static_cast<signed char>(geometry_.PlaneSide(horizon_, direction).sign);
@@ -76,47 +53,114 @@ Sign ConeMaker::HorizonSide(int vertex) {
   return static_cast<Sign>(side);
 }
 
-std::array<int, 3> ConeMaker::Corners(int triangle) {
-  std::array<int, 3> corners =
-      triangles_[static_cast<std::size_t>(triangle)].vertices;
+template <class Geometry>
+int ConeMaker<Geometry>::EdgePlane(int edge) {
+  EdgeEntry& entry = edge_entries_[Index(edge)];
+  if (entry.generation != generation_) {
+    const int index = pieces_.PieceOf(edge);
+    const Piece& piece = pieces_.pieces()[Index(index)];
+    const auto corners = pieces_.corners();
+    const bool last = edge == piece.first_corner + piece.corner_count - 1;
+    PlaneRecipe recipe{
+        .kind = PlaneRecipe::Kind::kEdge,
+        .a = corners[Index(edge)],
+        .b = corners[Index(last ? piece.first_corner : edge + 1)]};
+    if (ReceiverSide(index) != Sign::kPositive) std::swap(recipe.a, recipe.b);
+    entry = {generation_, geometry_.AddPlane(recipe)};
+  }
+  return entry.plane;
+}
+
+template <class Geometry>
+void ConeMaker<Geometry>::Complete(Cone& cone) {
+  if (cone.bundle != Cone::kNoPlane) return;
+  for (std::size_t k = 0; k < cone.size; ++k) {
+    if (cone.planes[k] == Cone::kNoPlane) {
+      cone.planes[k] = EdgePlane(cone.edges[k]);
+    }
+  }
+  cone.bundle = geometry_.AddBundle(std::span(cone.planes).first(cone.size));
+}
+
+template <class Geometry>
+Cone ConeMaker<Geometry>::Whole(int piece) {
+  const Piece& p = pieces_.pieces()[Index(piece)];
+  const auto corners = pieces_.CornersOf(p);
   // h > 0: the normal points away from r, so that the corners already run
   // counter-clockwise seen from r; else they run clockwise.
-  if (ReceiverSide(triangle) != Sign::kPositive) {
-    std::swap(corners[1], corners[2]);
+  const bool forward = ReceiverSide(piece) == Sign::kPositive;
+  Cone cone;
+  cone.piece = piece;
+  cone.size = corners.size();
+  for (std::size_t k = 0; k < cone.size; ++k) {
+    // Backward the ring is c[n-1], c[n-2], .., c[0], and edge k, from c[n-1-k]
+    // to c[n-2-k], is the piece's edge n-2-k.
+    const std::size_t at = forward ? k : cone.size - 1 - k;
+    const std::size_t edge = forward ? k : (2 * cone.size - 2 - k) % cone.size;
+    cone.directions[k] = geometry_.VertexDirection(corners[at]);
+    cone.edges[k] = p.first_corner + static_cast<int>(edge);
+    cone.planes[k] = Cone::kNoPlane;
   }
-  return corners;
+  return cone;
 }
 
-const Cone& ConeMaker::Whole(int triangle) {
-  int& index = whole_index_[static_cast<std::size_t>(triangle)];
-  if (index < 0) {
-    index = static_cast<int>(whole_.size());
-    Cone cone;
-    cone.triangle = triangle;
-    cone.size = 3;
-    const std::array<int, 3> corners = Corners(triangle);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int from = corners[k];
-      const int to = corners[k < 2 ? k + 1 : 0];
-      cone.directions[k] = geometry_.VertexDirection(from);
-      cone.planes[k] = geometry_.AddPlane(
-          {.kind = PlaneRecipe::Kind::kEdge, .a = from, .b = to});
-      cone.keys[k] = KeyOf(from, to);
+/// The part of a piece's cone where a linear function is >= 0. sides: the
+/// function's signs at the corners, at least one positive and one negative.
+/// cut: id of the plane where the function is 0, normal to the positive side.
+/// crossing(p, q): id of the direction where the edge between corner p
+/// (positive) and corner q (negative) meets the cut.
+template <class Geometry>
+template <class MakeCrossing>
+Cone ConeMaker<Geometry>::Clip(int piece, const CornerSigns& sides, int cut,
+                               const MakeCrossing& crossing) {
+  const Cone whole = Whole(piece);
+  const bool forward = ReceiverSide(piece) == Sign::kPositive;
+  // The piece's corner at position k of the cone.
+  const auto corner = [&](std::size_t k) {
+    return forward ? k : whole.size - 1 - k;
+  };
+  Cone part;
+  part.piece = piece;
+  const auto add = [&part](int direction, int plane, int edge) {
+    part.directions[part.size] = direction;
+    part.planes[part.size] = plane;
+    part.edges[part.size] = edge;
+    ++part.size;
+  };
+  for (std::size_t k = 0; k < whole.size; ++k) {
+    const std::size_t next = k + 1 < whole.size ? k + 1 : 0;
+    const Sign here = sides[corner(k)];
+    const Sign there = sides[corner(next)];
+    if (here == Sign::kPositive ||
+        (here == Sign::kZero && there != Sign::kNegative)) {
+      add(whole.directions[k], Cone::kNoPlane, whole.edges[k]);
+      if (there == Sign::kNegative) {
+        add(crossing(corner(k), corner(next)), cut, kNoEdge);
+      }
+    } else if (here == Sign::kZero) {
+      // The piece goes from front to back in this corner.
+      add(whole.directions[k], cut, kNoEdge);
+    } else if (there == Sign::kPositive) {
+      add(crossing(corner(next), corner(k)), Cone::kNoPlane, whole.edges[k]);
     }
-    whole_.push_back(cone);
   }
-  return whole_[static_cast<std::size_t>(index)];
+  return part;
 }
 
-std::optional<Cone> ConeMaker::AboveHorizon(int triangle) {
-  const std::array<int, 3> corners = Corners(triangle);
-  std::array<Sign, 3> sides{};
-  for (std::size_t k = 0; k < 3; ++k)
+template <class Geometry>
+std::optional<Cone> ConeMaker<Geometry>::AboveHorizon(int piece) {
+  const auto corners = pieces_.CornersOf(pieces_.pieces()[Index(piece)]);
+  CornerSigns sides{};
+  bool any_above = false;
+  bool any_below = false;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
     sides[k] = HorizonSide(corners[k]);
-  if (std::ranges::count(sides, Sign::kPositive) == 0) return std::nullopt;
-  const Cone& whole = Whole(triangle);
-  if (std::ranges::count(sides, Sign::kNegative) == 0) return whole;
-  return Clip(whole, sides, horizon_, [&](std::size_t p, std::size_t q) {
+    any_above = any_above || sides[k] == Sign::kPositive;
+    any_below = any_below || sides[k] == Sign::kNegative;
+  }
+  if (!any_above) return std::nullopt;
+  if (!any_below) return Whole(piece);
+  return Clip(piece, sides, horizon_, [&](std::size_t p, std::size_t q) {
     return geometry_.AddDirection(
         {.kind = DirectionRecipe::Kind::kEdgeAtHorizon,
          .a = corners[p],
@@ -124,65 +168,27 @@ std::optional<Cone> ConeMaker::AboveHorizon(int triangle) {
   });
 }
 
-std::optional<Cone> ConeMaker::InFrontOf(int source, int triangle,
-                                         bool earlier) {
-  const std::array<int, 3> corners = Corners(triangle);
-  std::array<Sign, 3> sides{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    sides[k] = geometry_.VertexSide(source, corners[k]);
-  }
-  const auto positive = std::ranges::count(sides, Sign::kPositive);
-  const auto negative = std::ranges::count(sides, Sign::kNegative);
-  if (positive == 0 && (negative > 0 || !earlier)) return std::nullopt;
-  const Cone& whole = Whole(triangle);
-  if (negative == 0) return whole;
+template <class Geometry>
+Cone ConeMaker<Geometry>::InFrontOf(int source, int piece,
+                                    const CornerSigns& sides) {
+  const Piece& p = pieces_.pieces()[Index(piece)];
+  const auto corners = pieces_.CornersOf(p);
   // c = sign(h_T) (h_T N_S - h_S N_T), method.md eq. (5): c . d > 0 where the
   // ray along d meets T in front of the plane of S.
   const int cut =
       geometry_.AddPlane({.kind = PlaneRecipe::Kind::kCut,
-                          .negated = ReceiverSide(triangle) == Sign::kNegative,
+                          .negated = ReceiverSide(piece) == Sign::kNegative,
                           .a = source,
-                          .b = triangle});
-  return Clip(whole, sides, cut, [&](std::size_t p, std::size_t q) {
+                          .b = p.triangle});
+  return Clip(piece, sides, cut, [&](std::size_t i, std::size_t j) {
     return geometry_.AddDirection({.kind = DirectionRecipe::Kind::kEdgeAtPlane,
-                                   .a = corners[p],
-                                   .b = corners[q],
+                                   .a = corners[i],
+                                   .b = corners[j],
                                    .c = source});
   });
 }
 
-namespace {
-
-/// Whether some plane of a has all directions of b on its outer side.
-bool Separates(ViewGeometry& geometry, const Cone& a, const Cone& b) {
-  for (std::size_t k = 0; k < a.size; ++k) {
-    std::size_t outside = 0;
-    while (outside < b.size &&
-           geometry.PlaneSide(a.planes[k], b.directions[outside]).sign !=
-               Sign::kPositive) {
-      ++outside;
-    }
-    if (outside == b.size) return true;
-  }
-  return false;
-}
-
-}  // namespace
-
-bool Apart(ViewGeometry& geometry, const Cone& a, const Cone& b) {
-  return Separates(geometry, a, b) || Separates(geometry, b, a);
-}
-
-bool Contains(ViewGeometry& geometry, const Cone& outer, const Cone& inner) {
-  for (std::size_t k = 0; k < outer.size; ++k) {
-    for (std::size_t d = 0; d < inner.size; ++d) {
-      if (geometry.PlaneSide(outer.planes[k], inner.directions[d]).sign ==
-          Sign::kNegative) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
+template class ConeMaker<ViewGeometry>;
+template class ConeMaker<UnfilteredViewGeometry>;
 
 }  // namespace truelux

@@ -26,20 +26,38 @@ ReceiverView ViewOf(const ContourQuery& query) {
           query.receiver.position, query.receiver.normal};
 }
 
+IgnoredFacetCache::IgnoredFacetCache(const Scene& scene) : scene_(scene) {}
+
+void IgnoredFacetCache::SetOnFace(int on_face) {
+  if (on_face == on_face_) return;
+  on_face_ = on_face;
+  ++generation_;
+  entries_.resize(scene_.facets().size());
+}
+
+bool IgnoredFacetCache::Ask(int facet) {
+  Entry& entry = entries_[static_cast<std::size_t>(facet)];
+  if (entry.generation == generation_) return entry.ignored;
+  const auto facets = scene_.facets();
+  const Face& face = scene_.faces()[static_cast<std::size_t>(on_face_ - 1)];
+  const ReceiverView view{scene_.vertices(), scene_.triangles(), {}, {}};
+  const int triangle = facets[static_cast<std::size_t>(facet)].first_triangle;
+  entry = {generation_, false};
+  for (int own = face.first_facet;
+       own < face.first_facet + face.facet_count && !entry.ignored; ++own) {
+    const int plane = facets[static_cast<std::size_t>(own)].first_triangle;
+    entry.ignored = Coplanar(view, plane, triangle);
+  }
+  return entry.ignored;
+}
+
 std::vector<bool> IgnoredFacets(const ContourQuery& query) {
   if (query.receiver.on_face == 0) return {};
-  const auto facets = query.scene.facets();
-  const Face& face =
-      query.scene.faces()[static_cast<std::size_t>(query.receiver.on_face - 1)];
-  const ReceiverView view = ViewOf(query);
-  std::vector<bool> ignored(facets.size(), false);
-  for (int own = face.first_facet; own < face.first_facet + face.facet_count;
-       ++own) {
-    const int plane = facets[static_cast<std::size_t>(own)].first_triangle;
-    for (std::size_t f = 0; f < facets.size(); ++f) {
-      if (ignored[f]) continue;
-      ignored[f] = Coplanar(view, plane, facets[f].first_triangle);
-    }
+  IgnoredFacetCache cache(query.scene);
+  cache.SetOnFace(query.receiver.on_face);
+  std::vector<bool> ignored;
+  for (std::size_t f = 0; f < query.scene.facets().size(); ++f) {
+    ignored.push_back(cache.IsIgnored(static_cast<int>(f)));
   }
   return ignored;
 }

@@ -10,6 +10,7 @@
 #ifndef TRUELUX_VISIBILITY_CONTOUR_H_
 #define TRUELUX_VISIBILITY_CONTOUR_H_
 
+#include <cstdint>
 #include <vector>
 
 #include "truelux/receiver.h"
@@ -65,6 +66,31 @@ ReceiverView ViewOf(const ContourQuery& query);
 /// per facet, empty if on_face is 0. (Facets whose plane contains r are left
 /// out by the engines themselves.)
 std::vector<bool> IgnoredFacets(const ContourQuery& query);
+
+/// The same, facet by facet as they are asked for, remembered as long as
+/// receivers name the same face.
+class IgnoredFacetCache {
+ public:
+  explicit IgnoredFacetCache(const Scene& scene);
+
+  /// on_face: as in Receiver.
+  void SetOnFace(int on_face);
+
+  bool IsIgnored(int facet) { return on_face_ != 0 && Ask(facet); }
+
+ private:
+  struct Entry {
+    std::uint64_t generation = 0;  ///< valid if it is the current one
+    bool ignored = false;
+  };
+
+  bool Ask(int facet);
+
+  const Scene& scene_;
+  int on_face_ = 0;
+  std::uint64_t generation_ = 0;
+  std::vector<Entry> entries_;  ///< per facet, once a face was named
+};
 
 }  // namespace truelux
 

@@ -1,84 +1,14 @@
 #include "visibility/contour_engine.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "visibility/cone.h"
+#include "visibility/contour_writer.h"
 #include "visibility/source_contour.h"
+#include "visibility/source_parts.h"
 
 namespace truelux {
 namespace {
-
-/// Moves arcs from the view geometry's ids into a Contour, which holds only
-/// the planes and directions that its arcs use.
-class ContourWriter {
- public:
-  ContourWriter(const Scene& scene, const ViewGeometry& geometry,
-                Contour& contour)
-      : scene_(scene), geometry_(geometry), contour_(contour) {}
-
-  void WriteSource(int facet, const std::vector<ViewArc>& arcs) {
-    if (arcs.empty()) return;
-    contour_.sources.push_back({facet, static_cast<int>(contour_.arcs.size()),
-                                static_cast<int>(arcs.size())});
-    for (const ViewArc& arc : arcs)
-      WriteArc(arc);
-  }
-
- private:
-  void WriteArc(const ViewArc& view_arc) {
-    Arc arc;
-    arc.plane = PlaneIndex(view_arc.edge.plane);
-    arc.positive = view_arc.piece.positive;
-    arc.from = Position(view_arc.edge, view_arc.piece.begin);
-    arc.to = Position(view_arc.edge, view_arc.piece.end);
-    if (!arc.positive) std::swap(arc.from, arc.to);
-    if (view_arc.triangle >= 0) {
-      const auto facet = static_cast<std::size_t>(
-          scene_.triangles()[static_cast<std::size_t>(view_arc.triangle)]
-              .facet);
-      arc.edge_face = scene_.facets()[facet].face + 1;
-    }
-    contour_.arcs.push_back(arc);
-  }
-
-  int Position(const ViewEdge& edge, const EdgePosition& position) {
-    if (position.kind == EdgePosition::Kind::kFrom) {
-      return DirectionIndex(edge.from);
-    }
-    if (position.kind == EdgePosition::Kind::kTo) {
-      return DirectionIndex(edge.to);
-    }
-    // With N a positive multiple of u x v, N x A is one of (A.u) v - (A.v) u,
-    // which points between u and v if A.u > 0 > A.v, else away from there.
-    contour_.directions.push_back(
-        {.kind = DirectionRecipe::Kind::kCrossing,
-         .negated = position.crossing.from.sign == Sign::kNegative,
-         .a = PlaneIndex(edge.plane),
-         .b = PlaneIndex(position.crossing.plane)});
-    return static_cast<int>(contour_.directions.size()) - 1;
-  }
-
-  int PlaneIndex(int id) {
-    const auto [entry, is_new] =
-        plane_index_.try_emplace(id, static_cast<int>(contour_.planes.size()));
-    if (is_new) contour_.planes.push_back(geometry_.plane(id));
-    return entry->second;
-  }
-
-  int DirectionIndex(int id) {
-    const auto [entry, is_new] = direction_index_.try_emplace(
-        id, static_cast<int>(contour_.directions.size()));
-    if (is_new) contour_.directions.push_back(geometry_.direction(id));
-    return entry->second;
-  }
-
-  const Scene& scene_;
-  const ViewGeometry& geometry_;
-  Contour& contour_;
-  std::unordered_map<int, int> plane_index_;
-  std::unordered_map<int, int> direction_index_;
-};
 
 bool Emits(const Face& face) {
   return std::ranges::any_of(face.emission, [](double m) { return m > 0; });
@@ -87,53 +17,115 @@ bool Emits(const Face& face) {
 }  // namespace
 
 ContourEngine::ContourEngine(const Scene& scene)
-    : triangle_normals_(
-          FilteredTriangleNormals(scene.vertices(), scene.triangles())) {}
+    : scene_(scene),
+      pieces_(scene),
+      triangle_normals_(
+          FilteredTriangleNormals(scene.vertices(), scene.triangles())) {
+  const auto facets = scene.facets();
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const auto face = static_cast<std::size_t>(facets[f].face);
+    if (Emits(scene.faces()[face])) emitters_.push_back(static_cast<int>(f));
+  }
+}
 
 Contour ContourEngine::Build(const ContourQuery& query) const {
-  const Scene& scene = query.scene;
-  const std::vector<bool> ignored = IgnoredFacets(query);
-  const RoundUpward rounding;
-  ViewGeometry geometry(ViewOf(query), triangle_normals_);
-  ConeMaker cones(geometry, scene.triangles());
-  SourceContour source(scene, geometry, cones);
   Contour contour;
-  ContourWriter writer(scene, geometry, contour);
-
-  const auto facets = scene.facets();
-  const auto is_ignored = [&ignored](std::size_t facet) {
-    return !ignored.empty() && ignored[facet];
-  };
-  std::uint64_t sources = 0;
-  std::uint64_t blockers = 0;
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    const int face = facets[f].face;
-    const bool wanted =
-        query.only_source == 0
-            ? Emits(scene.faces()[static_cast<std::size_t>(face)])
-            : face + 1 == query.only_source;
-    if (!wanted || is_ignored(f) ||
-        cones.ReceiverSide(facets[f].first_triangle) != Sign::kNegative ||
-        !source.SetSource(static_cast<int>(f))) {
-      continue;
-    }
-    ++sources;
-    for (std::size_t t = 0; t < scene.triangles().size(); ++t) {
-      if (source.Hidden()) break;
-      const auto facet = static_cast<std::size_t>(scene.triangles()[t].facet);
-      if (is_ignored(facet)) continue;
-      const int triangle = static_cast<int>(t);
-      if (cones.ReceiverSide(triangle) == Sign::kZero) continue;
-      source.AddBlocker(triangle);
-    }
-    blockers += source.blockers();
-    writer.WriteSource(static_cast<int>(f), source.Arcs());
-  }
-  contour.statistics = geometry.statistics();
-  contour.statistics.sources = sources;
-  contour.statistics.blockers = blockers;
-  contour.statistics.arcs = contour.arcs.size();
+  ContourBuilder(*this).Build(query, contour);
   return contour;
 }
+
+template <PredicateKind kKind>
+class BasicContourBuilder<kKind>::Impl {
+ public:
+  explicit Impl(const ContourEngine& engine)
+      : engine_(engine),
+        geometry_(
+            {engine.scene().vertices(), engine.scene().triangles(), {}, {}},
+            engine.triangle_normals()),
+        cones_(geometry_, engine.pieces()),
+        parts_(engine.scene(), engine.pieces(), geometry_, cones_),
+        arcs_(engine.pieces(), geometry_, cones_, parts_),
+        writer_(engine.scene(), engine.pieces(), geometry_),
+        ignored_(engine.scene()) {}
+
+  void Build(const ContourQuery& query, Contour& contour) {
+    const RoundUpward rounding;
+    geometry_.SetReceiver(query.receiver.position, query.receiver.normal);
+    cones_.SetReceiver();
+    ignored_.SetOnFace(query.receiver.on_face);
+    writer_.Start(contour);
+    sources_ = 0;
+    blockers_ = 0;
+    if (query.only_source == 0) {
+      for (const int facet : engine_.emitters())
+        BuildSource(facet);
+    } else {
+      const Face& face =
+          engine_.scene()
+              .faces()[static_cast<std::size_t>(query.only_source - 1)];
+      for (int f = 0; f < face.facet_count; ++f)
+        BuildSource(face.first_facet + f);
+    }
+    contour.statistics = geometry_.statistics();
+    contour.statistics.sources = sources_;
+    contour.statistics.blockers = blockers_;
+    contour.statistics.arcs = contour.arcs.size();
+  }
+
+ private:
+  void BuildSource(int facet) {
+    if (ignored_.IsIgnored(facet) ||
+        cones_.ReceiverSide(engine_.pieces().FirstPieceOf(facet)) !=
+            Sign::kNegative ||
+        !parts_.SetSource(facet)) {
+      return;
+    }
+    ++sources_;
+    const auto pieces = engine_.pieces().pieces();
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      const int piece = static_cast<int>(p);
+      if (!parts_.MayBlock(piece) || ignored_.IsIgnored(pieces[p].facet)) {
+        continue;
+      }
+      parts_.AddBlocker(piece);
+    }
+    blockers_ += parts_.blockers().size();
+    writer_.WriteSource(facet, arcs_.FindArcs());
+  }
+
+  const ContourEngine& engine_;
+  BasicViewGeometry<kKind> geometry_;
+  ConeMaker<BasicViewGeometry<kKind>> cones_;
+  SourceParts<BasicViewGeometry<kKind>> parts_;
+  SourceContour<BasicViewGeometry<kKind>> arcs_;
+  ContourWriter<BasicViewGeometry<kKind>> writer_;
+  IgnoredFacetCache ignored_;
+  std::uint64_t sources_ = 0;
+  std::uint64_t blockers_ = 0;
+};
+
+template <PredicateKind kKind>
+BasicContourBuilder<kKind>::BasicContourBuilder(const ContourEngine& engine)
+    : impl_(std::make_unique<Impl>(engine)) {}
+
+template <PredicateKind kKind>
+BasicContourBuilder<kKind>::~BasicContourBuilder() = default;
+
+template <PredicateKind kKind>
+BasicContourBuilder<kKind>::BasicContourBuilder(
+    BasicContourBuilder&&) noexcept = default;
+
+template <PredicateKind kKind>
+BasicContourBuilder<kKind>& BasicContourBuilder<kKind>::operator=(
+    BasicContourBuilder&&) noexcept = default;
+
+template <PredicateKind kKind>
+void BasicContourBuilder<kKind>::Build(const ContourQuery& query,
+                                       Contour& contour) {
+  impl_->Build(query, contour);
+}
+
+template class BasicContourBuilder<PredicateKind::kExact>;
+template class BasicContourBuilder<PredicateKind::kUnfiltered>;
 
 }  // namespace truelux

@@ -4,7 +4,6 @@
 #ifndef TRUELUX_VISIBILITY_COVERAGE_H_
 #define TRUELUX_VISIBILITY_COVERAGE_H_
 
-#include <optional>
 #include <vector>
 
 #include "exact/view_geometry.h"
@@ -44,14 +43,23 @@ struct Cover {
 };
 
 /// Order of two positions on an edge; kNegative: a comes first. Exact.
-Sign ComparePositions(ViewGeometry& geometry, const ViewEdge& edge,
-                      const EdgePosition& a, const EdgePosition& b);
+template <class Geometry>
+Sign ComparePositions(Geometry& geometry, const ViewEdge& edge,
+                      const EdgePosition& a, const EdgePosition& b) {
+  using Kind = EdgePosition::Kind;
+  if (a.kind == Kind::kCrossing && b.kind == Kind::kCrossing) {
+    return geometry.EdgeOrder(edge.plane, a.crossing, b.crossing);
+  }
+  if (a.kind == b.kind) return Sign::kZero;
+  return a.kind < b.kind ? Sign::kNegative : Sign::kPositive;
+}
 
-/// The part of an edge inside a cone, nothing if it is empty. Exact. A cone
-/// that touches the edge only from one side, along one of its own edges,
-/// covers that side (method.md, section 4).
-std::optional<Cover> CoverOf(ViewGeometry& geometry, const ViewEdge& edge,
-                             const Cone& cone);
+/// Finds the part of an edge inside a complete cone; false if it is empty.
+/// Exact. A cone that touches the edge only from one side, along one of its
+/// own edges, covers that side (method.md, section 4).
+template <class Geometry>
+bool CoverOf(Geometry& geometry, const ViewEdge& edge, const Cone& cone,
+             Cover& cover);
 
 /// A piece of an edge of which exactly one side is visible.
 struct VisiblePiece {
@@ -62,11 +70,13 @@ struct VisiblePiece {
 
 /// Collects what happens along one edge, then finds its visible pieces. Used
 /// again for every edge, without allocation in the steady state.
+template <class Geometry>
 class EdgeSweep {
  public:
-  explicit EdgeSweep(ViewGeometry& geometry) : geometry_(geometry) {}
+  explicit EdgeSweep(Geometry& geometry) : geometry_(geometry) {}
 
-  void Start(const ViewEdge& edge);
+  /// positive_hidden: the side N . d > 0 is hidden all along.
+  void Start(const ViewEdge& edge, bool positive_hidden);
 
   /// The source is there.
   void AddSource(const Cover& cover) { Add(cover, Role::kSource); }
@@ -77,6 +87,10 @@ class EdgeSweep {
   /// A candidate edge in the same plane, with a smaller id than this one,
   /// which owns the arcs there.
   void AddOwner(const Cover& cover) { Add(cover, Role::kOwner); }
+
+  /// Leaves out what comes before `begin` or after `end`; all of it is known
+  /// to hold no arc.
+  void Trim(const EdgePosition& begin, const EdgePosition& end);
 
   /// The pieces that have exactly one visible side and no other owner, in
   /// order along the edge. Valid until the next Start.
@@ -96,7 +110,7 @@ class EdgeSweep {
   void Add(const Cover& cover, Role role);
   void Apply(const Event& event);
 
-  ViewGeometry& geometry_;
+  Geometry& geometry_;
   ViewEdge edge_;
   std::vector<Event> events_;
   std::vector<VisiblePiece> pieces_;
@@ -105,6 +119,13 @@ class EdgeSweep {
   int blocker_[2] = {0, 0};
   int owner_ = 0;
 };
+
+extern template bool CoverOf(ViewGeometry&, const ViewEdge&, const Cone&,
+                             Cover&);
+extern template bool CoverOf(UnfilteredViewGeometry&, const ViewEdge&,
+                             const Cone&, Cover&);
+extern template class EdgeSweep<ViewGeometry>;
+extern template class EdgeSweep<UnfilteredViewGeometry>;
 
 }  // namespace truelux
 

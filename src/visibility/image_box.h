@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/number.h"
-#include "exact/vec3.h"
+#include "exact/filter.h"
 
 namespace truelux {
 
@@ -24,6 +23,12 @@ struct ImageBox {
            y_min <= other.y_max && other.y_min <= y_max;
   }
 
+  /// Whether the other box lies in this one.
+  [[nodiscard]] bool Contains(const ImageBox& other) const {
+    return x_min <= other.x_min && other.x_max <= x_max &&
+           y_min <= other.y_min && other.y_max <= y_max;
+  }
+
   void Include(const ImageBox& other) {
     x_min = std::min(x_min, other.x_min);
     x_max = std::max(x_max, other.x_max);
@@ -36,36 +41,48 @@ struct ImageBox {
 /// coordinates. Requires RoundUpward.
 class ImageChart {
  public:
-  /// away: the source's normal, as intervals, pointing away from r.
-  explicit ImageChart(const Vec3<Interval>& away) : away_(away) {
-    const auto size = [](const Interval& c) {
-      return std::max(std::fabs(c.inf()), std::fabs(c.sup()));
-    };
-    const double x = size(away.x);
-    const double y = size(away.y);
-    const double z = size(away.z);
-    dropped_ = z >= x && z >= y ? 2 : (y >= x ? 1 : 0);
-  }
+  ImageChart() = default;
 
-  /// Whether the direction certainly never meets the source's plane.
-  [[nodiscard]] bool Misses(const Vec3<Interval>& d) const {
-    return Dot(away_, d).sup() <= 0;
+  /// normal: the source's, pointing towards r.
+  explicit ImageChart(const FilteredPlane& normal) : away_(normal) {
+    away_.v = {-normal.v.x, -normal.v.y, -normal.v.z, normal.v.error};
+    const double x = std::fabs(normal.v.x);
+    const double y = std::fabs(normal.v.y);
+    const double z = std::fabs(normal.v.z);
+    dropped_ = z >= x && z >= y ? 2 : (y >= x ? 1 : 0);
   }
 
   /// The image of one direction; the whole plane unless it certainly points
   /// away from the parallel plane through r.
-  [[nodiscard]] ImageBox Of(const Vec3<Interval>& d) const {
-    const Interval depth = Dot(away_, d);
-    if (!(depth.inf() > 0)) return {};
-    const Interval x = (dropped_ == 0 ? d.y : d.x) / depth;
-    const Interval y = (dropped_ == 2 ? d.y : d.z) / depth;
-    if (!(x.inf() <= x.sup() && y.inf() <= y.sup())) return {};  // NaN
-    return {x.inf(), x.sup(), y.inf(), y.sup()};
+  ///
+  /// The true image x = X / D, the computed one x~ = fl(X~ q), q = fl(1/D~);
+  ///   |X~/D~ - X/D| = |X~/D~ (D - D~) + (X~ - X)| / D
+  ///                <= (|X~/D~| e_D + e_X) / (D~ - e_D),
+  /// and x~ differs from X~/D~ by 2 kDirectedUnit (1 + kDirectedUnit) |X~/D~|. With
+  /// e_D <= D~/4 the margin below, 1.5 q (e_X + |x~| (e_D + 4 kDirectedUnit D~)),
+  /// covers both: 1/(D~ - e_D) <= 4/3 q.
+  ///
+  /// misses: whether the direction certainly never meets the source's plane.
+  [[nodiscard]] ImageBox Of(const FilteredDirection& d, bool& misses) const {
+    const BoundedValue depth = FilteredDot(away_, d);
+    misses = -depth.value > depth.error;
+    if (!(depth.error * 4 <= depth.value)) return {};
+    const double q = 1 / depth.value;
+    const double x = (dropped_ == 0 ? d.v.y : d.v.x) * q;
+    const double y = (dropped_ == 2 ? d.v.y : d.v.z) * q;
+    const double spread = depth.error + 4 * kDirectedUnit * depth.value;
+    const double x_margin = 1.5 * q * (d.v.error + std::fabs(x) * spread);
+    const double y_margin = 1.5 * q * (d.v.error + std::fabs(y) * spread);
+    // Not the difference, which would be rounded up, too.
+    const ImageBox box{-(x_margin - x), x + x_margin, -(y_margin - y),
+                       y + y_margin};
+    const bool numbers = box.x_min <= box.x_max && box.y_min <= box.y_max;
+    return numbers ? box : ImageBox{};
   }
 
  private:
-  Vec3<Interval> away_;
-  int dropped_;  ///< the coordinate along which the normal is longest
+  FilteredPlane away_;
+  int dropped_ = 2;  ///< the coordinate along which the normal is longest
 };
 
 }  // namespace truelux

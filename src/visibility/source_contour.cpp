@@ -3,260 +3,236 @@
 #include <algorithm>
 
 namespace truelux {
+namespace {
 
-SourceContour::SourceContour(const Scene& scene, ViewGeometry& geometry,
-                             ConeMaker& cones)
-    : triangles_(scene.triangles()),
-      facets_(scene.facets()),
+std::size_t Index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+template <class Geometry>
+SourceContour<Geometry>::SourceContour(const ConvexPieces& pieces,
+                                       Geometry& geometry,
+                                       ConeMaker<Geometry>& cones,
+                                       SourceParts<Geometry>& parts)
+    : pieces_(pieces),
       geometry_(geometry),
       cones_(cones),
+      parts_(parts),
       sweep_(geometry) {}
 
-bool SourceContour::SetSource(int facet) {
-  facet_ = facet;
-  sources_.clear();
-  blockers_.clear();
-  hidden_ = false;
-  const Facet& f = facets_[static_cast<std::size_t>(facet)];
-  plane_triangle_ = f.first_triangle;
-  // r is in front, where N . d < 0: -N points away from r.
-  chart_.emplace(-geometry_.TriangleNormalInterval(plane_triangle_));
-  for (int t = f.first_triangle; t < f.first_triangle + f.triangle_count; ++t) {
-    if (const auto cone = cones_.AboveHorizon(t)) {
-      sources_.push_back({*cone, BoxOf(*cone), {}});
-    }
-  }
-  if (sources_.empty()) return false;
-  source_box_ = sources_.front().box;
-  for (const Part& part : sources_)
-    source_box_.Include(part.box);
-  return true;
+template <class Geometry>
+Part& SourceContour<Geometry>::OwnerOf(const Candidate& candidate) {
+  return candidate.is_blocker ? parts_.blockers()[Index(candidate.part)]
+                              : parts_.sources()[Index(candidate.part)];
 }
 
-ImageBox SourceContour::BoxOf(const Cone& cone) {
-  ImageBox box = chart_->Of(geometry_.DirectionInterval(cone.directions[0]));
-  for (std::size_t k = 1; k < cone.size; ++k) {
-    box.Include(chart_->Of(geometry_.DirectionInterval(cone.directions[k])));
+/// Whether both sides of a source's edge are source: the pieces on both its
+/// sides survived the horizon.
+template <class Geometry>
+bool SourceContour<Geometry>::IsDiagonal(int edge) const {
+  const auto has_edge = [this](int piece) {
+    return std::ranges::any_of(parts_.sources(), [piece](const Part& part) {
+      return part.cone.piece == piece;
+    });
+  };
+  if (parts_.sources().size() == 1) return false;
+  for (int other = pieces_.NextSameEdge(edge); other != edge;
+       other = pieces_.NextSameEdge(other)) {
+    if (has_edge(pieces_.PieceOf(other))) return true;
   }
-  return box;
+  return false;
 }
 
-bool SourceContour::MayMeetSource(const std::array<int, 3>& corners) {
-  ImageBox box;
-  bool misses = true;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3<Interval>& d =
-        geometry_.DirectionInterval(geometry_.VertexDirection(corners[k]));
-    misses = misses && chart_->Misses(d);
-    if (k == 0) {
-      box = chart_->Of(d);
-    } else {
-      box.Include(chart_->Of(d));
-    }
+/// Whether some other blocker has this edge, too, and lies on its other side.
+/// Seen from r both run counter-clockwise, so that they lie on opposite sides
+/// exactly if they run through the edge in opposite directions.
+template <class Geometry>
+bool SourceContour<Geometry>::IsInner(int edge) {
+  const auto start = [this](int e, int piece) {
+    // The corner where the edge starts, seen counter-clockwise from r.
+    const bool forward = cones_.ReceiverSide(piece) == Sign::kPositive;
+    const Piece& p = pieces_.pieces()[Index(piece)];
+    const bool last = e == p.first_corner + p.corner_count - 1;
+    const int end = last ? p.first_corner : e + 1;
+    return pieces_.corners()[Index(forward ? e : end)];
+  };
+  int own_start = -1;
+  for (int other = pieces_.NextSameEdge(edge); other != edge;
+       other = pieces_.NextSameEdge(other)) {
+    const int piece = pieces_.PieceOf(other);
+    if (!parts_.IsBlocker(piece)) continue;
+    if (own_start < 0) own_start = start(edge, pieces_.PieceOf(edge));
+    if (start(other, piece) != own_start) return true;
   }
-  return !misses && box.Meets(source_box_);
+  return false;
 }
 
-void SourceContour::AddBlocker(int triangle) {
-  const Triangle& t = triangles_[static_cast<std::size_t>(triangle)];
-  if (hidden_ || t.facet == facet_) return;
-  const std::array<int, 3> corners = t.vertices;
-  if (std::ranges::none_of(corners, [this](int v) {
-        return cones_.HorizonSide(v) == Sign::kPositive;
-      })) {
-    return;
-  }
-  if (!MayMeetSource(corners)) return;
-  const int own_face = facets_[static_cast<std::size_t>(facet_)].face;
-  const int face = facets_[static_cast<std::size_t>(t.facet)].face;
-  const auto part =
-      cones_.InFrontOf(plane_triangle_, triangle, face < own_face);
-  if (!part) return;
-  if (std::ranges::all_of(sources_, [&](const Part& source) {
-        return Apart(geometry_, source.cone, *part);
-      })) {
-    return;
-  }
-  if (std::ranges::all_of(sources_, [&](const Part& source) {
-        return Contains(geometry_, *part, source.cone);
-      })) {
-    hidden_ = true;
-    return;
-  }
-  blockers_.push_back({*part, BoxOf(*part), {}});
-}
-
-void SourceContour::AddCandidate(Part& part, std::size_t edge,
-                                 bool is_blocker) {
-  const Cone& cone = part.cone;
-  Candidate candidate{{cone.planes[edge], cone.From(edge), cone.To(edge)},
-                      {},
-                      &part,
-                      is_blocker};
-  candidate.box = chart_->Of(geometry_.DirectionInterval(cone.From(edge)));
-  candidate.box.Include(chart_->Of(geometry_.DirectionInterval(cone.To(edge))));
-  part.candidates[edge] = static_cast<int>(candidates_.size());
-  candidates_.push_back(candidate);
-}
-
-void SourceContour::CollectSourceEdges() {
-  // A diagonal of the facet is no edge where the triangles on both its sides
-  // survived the horizon; then its key occurs twice.
-  edges_.clear();
-  for (std::size_t p = 0; p < sources_.size(); ++p) {
-    for (std::size_t k = 0; k < sources_[p].cone.size; ++k) {
-      edges_.push_back({sources_[p].cone.keys[k], p, k});
-    }
-  }
-  std::ranges::sort(edges_, {}, &EdgeOfPart::key);
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const EdgeKey key = edges_[i].key;
-    const bool diagonal = key != kNoEdgeKey &&
-                          ((i > 0 && edges_[i - 1].key == key) ||
-                           (i + 1 < edges_.size() && edges_[i + 1].key == key));
-    Part& part = sources_[edges_[i].part];
-    if (diagonal) {
-      part.candidates[edges_[i].edge] = kNoCandidate;
-    } else {
-      AddCandidate(part, edges_[i].edge, false);
+template <class Geometry>
+void SourceContour<Geometry>::CollectEdges(std::span<Part> parts,
+                                           bool are_blockers) {
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    Part& part = parts[p];
+    for (std::size_t k = 0; k < part.cone.size; ++k) {
+      const int edge = part.cone.edges[k];
+      const bool left_out =
+          edge != kNoEdge && (are_blockers ? IsInner(edge) : IsDiagonal(edge));
+      part.candidates[k] =
+          left_out ? Part::kNoCandidate : static_cast<int>(candidates_.size());
+      if (left_out) continue;
+      candidates_.push_back(
+          {static_cast<int>(p), static_cast<int>(k), are_blockers});
     }
   }
 }
 
-bool SourceContour::HasOppositeBlocker(std::span<const EdgeOfPart> group,
-                                       const EdgeOfPart& edge) {
-  const Cone& own = blockers_[edge.part].cone;
-  return std::ranges::any_of(group, [&](const EdgeOfPart& other) {
-    if (other.part == edge.part) return false;
-    const Cone& cone = blockers_[other.part].cone;
-    const Cone& whole = cones_.Whole(cone.triangle);
-    // The corner of the other triangle that is not on this edge.
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (whole.keys[k] != edge.key) continue;
-      return geometry_
-                 .PlaneSide(own.planes[edge.edge],
-                            whole.directions[(k + 2) % 3])
-                 .sign == Sign::kNegative;
-    }
-    return false;
-  });
-}
-
-void SourceContour::CollectBlockerEdges() {
-  edges_.clear();
-  for (std::size_t p = 0; p < blockers_.size(); ++p) {
-    for (std::size_t k = 0; k < blockers_[p].cone.size; ++k) {
-      edges_.push_back({blockers_[p].cone.keys[k], p, k});
-    }
-  }
-  std::ranges::sort(edges_, {}, &EdgeOfPart::key);
-  for (std::size_t begin = 0; begin < edges_.size();) {
-    std::size_t end = begin + 1;
-    while (end < edges_.size() && edges_[end].key == edges_[begin].key)
-      ++end;
-    const std::span group(edges_.data() + begin, end - begin);
-    for (const EdgeOfPart& edge : group) {
-      Part& part = blockers_[edge.part];
-      if (edge.key != kNoEdgeKey && group.size() > 1 &&
-          HasOppositeBlocker(group, edge)) {
-        part.candidates[edge.edge] = kNoCandidate;
-      } else {
-        AddCandidate(part, edge.edge, true);
-      }
-    }
-    begin = end;
-  }
-}
-
-void SourceContour::CollectCandidates() {
+template <class Geometry>
+void SourceContour<Geometry>::CollectCandidates() {
   candidates_.clear();
-  CollectSourceEdges();
-  CollectBlockerEdges();
+  CollectEdges(parts_.sources(), false);
+  CollectEdges(parts_.blockers(), true);
 }
 
 /// Whether a cover of the edge's own plane belongs to a candidate that owns
 /// the arcs there instead of candidate `id`.
-bool SourceContour::IsOwnedBefore(const Part& part, const Cover& cover,
-                                  int id) {
+template <class Geometry>
+bool SourceContour<Geometry>::IsOwnedBefore(const Part& part,
+                                            const Cover& cover, int id) {
   if (cover.side == Sign::kZero) return false;
-  const int owner = part.candidates[static_cast<std::size_t>(cover.coincident)];
-  return owner != kNoCandidate && owner < id;
+  const int owner = part.candidates[Index(cover.coincident)];
+  return owner != Part::kNoCandidate && owner < id;
 }
 
-/// Adds the source's triangles to the sweep; tells on which sides of the edge
-/// there is any source at all. False if another candidate owns all arcs.
-bool SourceContour::SweepSource(const Candidate& candidate, int id,
-                                NeededSides& needed) {
-  for (const Part& part : sources_) {
-    std::optional<Cover> cover;
-    if (&part == candidate.owner) {
+/// Adds the source's pieces to the sweep, and notes where and on which sides
+/// of the edge there is any source at all. False if there is none, or another
+/// candidate owns all arcs.
+template <class Geometry>
+bool SourceContour<Geometry>::SweepSource(const Candidate& candidate, int id) {
+  const bool one_piece = parts_.sources().size() == 1;
+  for (std::size_t p = 0; p < parts_.sources().size(); ++p) {
+    const Part& part = parts_.sources()[p];
+    Cover cover;
+    if (!candidate.is_blocker && candidate.part == static_cast<int>(p)) {
       // Along its own edge a part holds the inner side of the whole edge.
-      cover = Cover{.side = Sign::kPositive};
-    } else if (part.box.Meets(candidate.box)) {
-      cover = CoverOf(geometry_, candidate.edge, part.cone);
-      if (cover && IsOwnedBefore(part, *cover, id)) {
-        if (cover->Whole()) return false;
-        sweep_.AddOwner(*cover);
+      cover.side = Sign::kPositive;
+    } else if (!parts_.StrictlyInside(edge_.from) ||
+               !parts_.StrictlyInside(edge_.to)) {
+      if (!CoverOf(geometry_, edge_, part.cone, cover)) continue;
+      if (IsOwnedBefore(part, cover, id)) {
+        if (cover.Whole()) return false;
+        sweep_.AddOwner(cover);
       }
     }
-    if (!cover) continue;
-    sweep_.AddSource(*cover);
-    needed.negative = needed.negative || cover->side != Sign::kPositive;
-    needed.positive = needed.positive || cover->side != Sign::kNegative;
+    needed_.negative = needed_.negative || cover.side != Sign::kPositive;
+    needed_.positive = needed_.positive || cover.side != Sign::kNegative;
+    if (one_piece) {
+      begin_ = cover.begin;
+      end_ = cover.end;
+      source_side_ = cover.side;
+    } else {
+      sweep_.AddSource(cover);
+    }
   }
+  return needed_.negative || needed_.positive;
+}
+
+/// Takes what a cover hides out of [begin_, end_] where it reaches one of its
+/// ends; otherwise the cover becomes part of the sweep. False if nothing is
+/// left.
+template <class Geometry>
+bool SourceContour<Geometry>::TrimBy(const Cover& cover) {
+  const auto before = [this](const EdgePosition& a, const EdgePosition& b) {
+    return ComparePositions(geometry_, edge_, a, b) == Sign::kNegative;
+  };
+  if (!before(begin_, cover.begin)) {
+    if (!before(begin_, cover.end)) return true;
+    begin_ = cover.end;
+    return before(begin_, end_);
+  }
+  if (!before(cover.end, end_)) {
+    if (before(cover.begin, end_)) end_ = cover.begin;
+    return true;
+  }
+  sweep_.AddBlocker(cover);
   return true;
 }
 
-/// False if no piece of the edge can be an arc. Left early only when one
-/// blocker hides, over the whole edge, every side on which there is source
-/// that the edge's own blocker leaves open, or another candidate owns it all.
-bool SourceContour::SweepParts(const Candidate& candidate, int id) {
-  NeededSides needed;
-  if (!SweepSource(candidate, id, needed)) return false;
+/// False if no piece of the edge can be an arc any more.
+template <class Geometry>
+bool SourceContour<Geometry>::SweepBlocker(Part& part, int id) {
+  cones_.Complete(part.cone);
+  Cover cover;
+  if (!CoverOf(geometry_, edge_, part.cone, cover)) return true;
+  const bool owned = IsOwnedBefore(part, cover, id);
+  const bool hides_positive = cover.side != Sign::kNegative;
+  const bool hides_negative = cover.side != Sign::kPositive;
+  if (owned || ((hides_positive || !needed_.positive) &&
+                (hides_negative || !needed_.negative))) {
+    return TrimBy(cover);
+  }
+  sweep_.AddBlocker(cover);
+  return true;
+}
+
+/// False if no piece of the edge can be an arc.
+template <class Geometry>
+bool SourceContour<Geometry>::SweepParts(const Candidate& candidate, int id) {
+  needed_ = {};
+  begin_ = {EdgePosition::Kind::kFrom, {}};
+  end_ = {EdgePosition::Kind::kTo, {}};
+  if (!SweepSource(candidate, id)) return false;
   if (candidate.is_blocker) {
-    sweep_.AddBlocker(Cover{.side = Sign::kPositive});
-    needed.positive = false;
+    needed_.positive = false;
+    if (!needed_.negative) return false;
   }
-  if (!needed.positive && !needed.negative) return false;
-  for (const Part& part : blockers_) {
-    if (&part == candidate.owner || !part.box.Meets(candidate.box)) continue;
-    const auto cover = CoverOf(geometry_, candidate.edge, part.cone);
-    if (!cover) continue;
-    const bool owned = IsOwnedBefore(part, *cover, id);
-    if (cover->Whole()) {
-      const bool hides_positive = cover->side != Sign::kNegative;
-      const bool hides_negative = cover->side != Sign::kPositive;
-      if (owned || ((hides_positive || !needed.positive) &&
-                    (hides_negative || !needed.negative))) {
-        return false;
-      }
+  const ImageBox box = parts_.BoxOfEdge(edge_.from, edge_.to);
+  return bins_.ForEach(box, [&](std::size_t p) {
+    if (candidate.is_blocker && candidate.part == static_cast<int>(p)) {
+      return true;
     }
-    sweep_.AddBlocker(*cover);
-    if (owned) sweep_.AddOwner(*cover);
-  }
-  return true;
+    if (!parts_.blocker_boxes()[p].Meets(box)) return true;
+    return SweepBlocker(parts_.blockers()[p], id);
+  });
 }
 
-void SourceContour::Sweep(int id) {
-  const Candidate& candidate = candidates_[static_cast<std::size_t>(id)];
-  if (!candidate.box.Meets(source_box_)) return;
-  sweep_.Start(candidate.edge);
+template <class Geometry>
+void SourceContour<Geometry>::Sweep(int id) {
+  const Candidate& candidate = candidates_[Index(id)];
+  Part& owner = OwnerOf(candidate);
+  const auto k = Index(candidate.edge);
+  const int from = owner.cone.From(k);
+  const int to = owner.cone.To(k);
+  if (!parts_.BoxOfEdge(from, to).Meets(parts_.source_box())) return;
+  cones_.Complete(owner.cone);
+  edge_ = {owner.cone.planes[k], from, to};
+  sweep_.Start(edge_, candidate.is_blocker);
   if (!SweepParts(candidate, id)) return;
+  if (parts_.sources().size() == 1) {
+    sweep_.AddSource({begin_, end_, source_side_});
+  } else {
+    sweep_.Trim(begin_, end_);
+  }
+  const bool horizon = edge_.plane == cones_.horizon();
   for (const VisiblePiece& piece : sweep_.Finish()) {
-    const bool horizon = candidate.edge.plane == cones_.horizon();
-    arcs_.push_back(
-        {candidate.edge, piece, horizon ? -1 : candidate.owner->cone.triangle});
+    arcs_.push_back({edge_, piece, horizon ? -1 : owner.cone.piece,
+                     candidate.is_blocker ? kNoEdge : owner.cone.edges[k]});
   }
 }
 
-const std::vector<ViewArc>& SourceContour::Arcs() {
+template <class Geometry>
+const std::vector<ViewArc>& SourceContour<Geometry>::FindArcs() {
   arcs_.clear();
-  if (hidden_) return arcs_;
+  if (parts_.hidden()) return arcs_;
   CollectCandidates();
+  bins_.Build(parts_.blocker_boxes(), parts_.source_box());
   for (std::size_t id = 0; id < candidates_.size(); ++id) {
     Sweep(static_cast<int>(id));
   }
   return arcs_;
 }
+
+template class SourceContour<ViewGeometry>;
+template class SourceContour<UnfilteredViewGeometry>;
 
 }  // namespace truelux

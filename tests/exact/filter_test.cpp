@@ -18,7 +18,7 @@ Exact Abs(const Exact& x) {
 }
 
 TEST(Filter, DotFactorCoversThreeRoundings) {
-  const Exact unit(kUnit);
+  const Exact unit(kDirectedUnit);
   const Exact one(1);
   const Exact growth = (one + unit) * (one + unit) * (one + unit) - one;
   EXPECT_TRUE(growth < Exact(kDotFactor));
@@ -27,7 +27,6 @@ TEST(Filter, DotFactorCoversThreeRoundings) {
 
 TEST(Filter, DotFloorCoversThreeUnderflows) {
   EXPECT_GE(kDotFloor, 3 * 0x1p-1074);
-  EXPECT_GE(kProductFloor, 0x1p-1074);
 }
 
 /// A number of random sign and exponent within +-range of 2^0.
@@ -99,6 +98,58 @@ TEST(Filter, DotBoundHoldsForAnyExponents) {
   EXPECT_GT(decided, 10000);
   EXPECT_LT(decided, checked);
   EXPECT_GT(worst, 0.1) << "the bound is far from tight";
+}
+
+TEST(Filter, CrossBoundHoldsForAnyExponents) {
+  PortableRandom random(2);
+  int checked = 0;
+  double worst = 0;
+  for (int i = 0; i < 40000; ++i) {
+    const int range = i % 3 == 0 ? 2 : (i % 3 == 1 ? 60 : 500);
+    std::array<std::array<double, 3>, 2> v{};
+    std::array<std::array<Exact, 3>, 2> truth;
+    std::array<double, 2> error{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      double max = 0;
+      for (double& c : v[k]) {
+        c = RandomNumber(random, range);
+        max = std::max(max, std::fabs(c));
+      }
+      // Every third pair is almost parallel.
+      if (k == 1 && i % 3 == 0) v[1] = {v[0][0] * 2, v[0][1] * 2, v[0][2]};
+      error[k] = random.OneIn(3) ? 0 : max * kDirectedUnit;
+      for (std::size_t c = 0; c < 3; ++c) {
+        truth[k][c] =
+            Exact(v[k][c]) + Exact(error[k]) * Exact(random.Integer(-1, 1));
+      }
+    }
+    const RoundUpward rounding;
+    const ApproxVector cross = FilteredCross(
+        MakeFilteredDirection({v[0][0], v[0][1], v[0][2], error[0]}),
+        MakeFilteredDirection({v[1][0], v[1][1], v[1][2], error[1]}));
+    if (!std::isfinite(cross.error)) continue;
+    ++checked;
+    const Vec3<Exact> exact =
+        Cross(Vec3<Exact>{truth[0][0], truth[0][1], truth[0][2]},
+              Vec3<Exact>{truth[1][0], truth[1][1], truth[1][2]});
+    for (const Exact& e :
+         {Abs(Exact(cross.x) - exact.x), Abs(Exact(cross.y) - exact.y),
+          Abs(Exact(cross.z) - exact.z)}) {
+      ASSERT_TRUE(e <= Exact(cross.error)) << "sample " << i;
+      worst = std::max(worst, e.to_double() / cross.error);
+    }
+  }
+  EXPECT_GT(checked, 30000);
+  EXPECT_GT(worst, 0.3) << "the bound is far from tight";
+}
+
+TEST(Filter, CrossWithoutBoundDecidesNothing) {
+  const RoundUpward rounding;
+  const FilteredDirection big = MakeFilteredDirection({0x1p600, 0, 0, 0});
+  const FilteredDirection other = MakeFilteredDirection({0, 0x1p600, 0, 0});
+  EXPECT_EQ(FilteredCross(big, other).error, HUGE_VAL);
+  const FilteredDirection lost = MakeFilteredDirection({0, 1, 0, HUGE_VAL});
+  EXPECT_FALSE(FilteredCross(big, lost).error < HUGE_VAL);
 }
 
 TEST(Filter, ApproximationHoldsTheInterval) {

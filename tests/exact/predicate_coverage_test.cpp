@@ -131,7 +131,7 @@ TEST_P(EdgeOrderCoverage, HasSignAtCheapestStage) {
   };
   const int n = edge(0, 1);
   const auto crossing = [&](int plane) {
-    return Crossing{plane, g.PlaneSide(plane, u), g.PlaneSide(plane, v)};
+    return MakeCrossing(plane, g.PlaneSide(plane, u), g.PlaneSide(plane, v));
   };
   const Crossing a = crossing(edge(2, 3));
   const Crossing b = crossing(edge(4, 5));

@@ -1,0 +1,84 @@
+// A scene as convex polygons: what the contour engine works on.
+//
+// A facet whose ring is strictly convex is one piece, any other facet is its
+// triangles. Fewer pieces mean fewer planes, and a quad has no diagonal.
+
+#ifndef TRUELUX_SCENE_CONVEX_PIECES_H_
+#define TRUELUX_SCENE_CONVEX_PIECES_H_
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "truelux/scene.h"
+
+namespace truelux {
+
+/// A strictly convex planar polygon, counter-clockwise seen from its front.
+struct Piece {
+  int first_corner = 0;  ///< its corners are first_corner ..
+  int corner_count = 0;  ///< .. first_corner + corner_count - 1
+  int facet = 0;         ///< index into Scene::facets()
+  int triangle = 0;      ///< a triangle of the facet: carries the plane
+};
+
+/// The pieces of a scene, and which of their edges are the same.
+///
+/// Corner c of piece p, p.first_corner <= c, also names the edge from that
+/// corner to the piece's next one.
+class ConvexPieces {
+ public:
+  /// Pieces with more corners are left as triangles.
+  static constexpr int kMaxCorners = 7;
+
+  explicit ConvexPieces(const Scene& scene);
+
+  [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }
+
+  /// Vertex index of every corner.
+  [[nodiscard]] std::span<const int> corners() const { return corners_; }
+
+  [[nodiscard]] std::span<const int> CornersOf(const Piece& piece) const {
+    return corners().subspan(static_cast<std::size_t>(piece.first_corner),
+                             static_cast<std::size_t>(piece.corner_count));
+  }
+
+  /// The pieces of a facet; they are consecutive.
+  [[nodiscard]] std::span<const Piece> PiecesOf(int facet) const {
+    const auto f = static_cast<std::size_t>(facet);
+    return pieces().subspan(
+        static_cast<std::size_t>(first_piece_[f]),
+        static_cast<std::size_t>(first_piece_[f + 1] - first_piece_[f]));
+  }
+
+  /// Index of the facet's first piece.
+  [[nodiscard]] int FirstPieceOf(int facet) const {
+    return first_piece_[static_cast<std::size_t>(facet)];
+  }
+
+  /// The next edge between the same two vertices, in either direction; the
+  /// edge itself if there is no other. Following it visits all of them and
+  /// comes back.
+  [[nodiscard]] int NextSameEdge(int edge) const {
+    return next_same_edge_[static_cast<std::size_t>(edge)];
+  }
+
+  /// The piece that an edge or corner belongs to.
+  [[nodiscard]] int PieceOf(int corner) const {
+    return piece_of_[static_cast<std::size_t>(corner)];
+  }
+
+ private:
+  void AddPiece(std::span<const int> corners, int facet, int triangle);
+  void LinkEdges();
+
+  std::vector<Piece> pieces_;
+  std::vector<int> corners_;
+  std::vector<int> piece_of_;        ///< per corner
+  std::vector<int> next_same_edge_;  ///< per corner
+  std::vector<int> first_piece_;     ///< per facet, and one more
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_SCENE_CONVEX_PIECES_H_

@@ -1,0 +1,184 @@
+#include "visibility/source_parts.h"
+
+#include <algorithm>
+
+namespace truelux {
+namespace {
+
+std::size_t Index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+template <class Geometry>
+SourceParts<Geometry>::SourceParts(const Scene& scene,
+                                   const ConvexPieces& pieces,
+                                   Geometry& geometry,
+                                   ConeMaker<Geometry>& cones)
+    : scene_(scene),
+      pieces_(pieces),
+      geometry_(geometry),
+      cones_(cones),
+      blocker_of_(pieces.pieces().size()) {}
+
+template <class Geometry>
+bool SourceParts<Geometry>::SetSource(int facet) {
+  facet_ = facet;
+  sources_.clear();
+  blockers_.clear();
+  blocker_boxes_.clear();
+  hidden_ = false;
+  all_inside_ = 0;
+  ++source_generation_;
+  plane_triangle_ = scene_.facets()[Index(facet)].first_triangle;
+  chart_ = ImageChart(geometry_.TriangleNormalFilter(plane_triangle_));
+  const int first = pieces_.FirstPieceOf(facet);
+  const auto count = static_cast<int>(pieces_.PiecesOf(facet).size());
+  for (int piece = first; piece < first + count; ++piece) {
+    if (auto cone = cones_.AboveHorizon(piece)) {
+      cones_.Complete(*cone);
+      sources_.push_back({*cone, {}});
+    }
+  }
+  if (sources_.empty()) return false;
+  source_box_ = BoxOf(sources_.front().cone);
+  for (const Part& part : sources_)
+    source_box_.Include(BoxOf(part.cone));
+  if (sources_.size() == 1) {
+    all_inside_ = (1U << sources_.front().cone.size) - 1;
+  }
+  return true;
+}
+
+template <class Geometry>
+auto SourceParts<Geometry>::EntryOf(int direction) -> DirectionEntry& {
+  if (Index(direction) >= entries_.size()) {
+    entries_.resize(Index(geometry_.direction_count()));
+  }
+  DirectionEntry& entry = entries_[Index(direction)];
+  if (entry.generation != source_generation_) {
+    const FilteredDirection& d = geometry_.DirectionFilter(direction);
+    entry.generation = source_generation_;
+    entry.box = chart_.Of(d, entry.misses);
+    entry.has_inside = false;
+  }
+  return entry;
+}
+
+template <class Geometry>
+std::uint32_t SourceParts<Geometry>::InsideBits(int direction) {
+  DirectionEntry& entry = EntryOf(direction);
+  if (!entry.has_inside) {
+    const int bundle = sources_.front().cone.bundle;
+    BundleSides sides;
+    geometry_.FilterSides(bundle, direction, sides);
+    geometry_.CompleteSides(bundle, direction, sides);
+    entry.has_inside = true;
+    entry.inside = sides.positive;
+  }
+  return entry.inside;
+}
+
+template <class Geometry>
+bool SourceParts<Geometry>::StrictlyInside(int direction) {
+  return all_inside_ != 0 && InsideBits(direction) == all_inside_;
+}
+
+template <class Geometry>
+ImageBox SourceParts<Geometry>::BoxOf(const Cone& cone) {
+  ImageBox box = EntryOf(cone.directions[0]).box;
+  for (std::size_t k = 1; k < cone.size; ++k) {
+    box.Include(EntryOf(cone.directions[k]).box);
+  }
+  return box;
+}
+
+template <class Geometry>
+ImageBox SourceParts<Geometry>::BoxOfEdge(int from, int to) {
+  ImageBox box = EntryOf(from).box;
+  box.Include(EntryOf(to).box);
+  return box;
+}
+
+template <class Geometry>
+bool SourceParts<Geometry>::MayBlock(int piece) {
+  const Piece& p = pieces_.pieces()[Index(piece)];
+  if (hidden_ || p.facet == facet_) return false;
+  bool misses = true;
+  ImageBox box;
+  const auto corners = pieces_.CornersOf(p);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const DirectionEntry& entry =
+        EntryOf(geometry_.VertexDirection(corners[k]));
+    misses = misses && entry.misses;
+    if (k == 0) {
+      box = entry.box;
+    } else {
+      box.Include(entry.box);
+    }
+  }
+  return !misses && box.Meets(source_box_);
+}
+
+/// Whether some plane of the source has the whole cone on its outer side.
+/// (Cones that only another plane separates are missed; they cost time, not
+/// correctness.)
+template <class Geometry>
+bool SourceParts<Geometry>::IsApart(const Cone& cone) {
+  if (all_inside_ == 0) return false;
+  std::uint32_t inside = 0;
+  for (std::size_t k = 0; k < cone.size; ++k) {
+    inside |= InsideBits(cone.directions[k]);
+    if (inside == all_inside_) return false;
+  }
+  return true;
+}
+
+template <class Geometry>
+void SourceParts<Geometry>::AddBlocker(int piece) {
+  const Piece& p = pieces_.pieces()[Index(piece)];
+  const auto corners = pieces_.CornersOf(p);
+  if (std::ranges::none_of(corners, [this](int v) {
+        return cones_.HorizonSide(v) == Sign::kPositive;
+      })) {
+    return;
+  }
+  CornerSigns sides{};
+  bool any_front = false;
+  bool any_behind = false;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    sides[k] = geometry_.VertexSide(plane_triangle_, corners[k]);
+    any_front = any_front || sides[k] == Sign::kPositive;
+    any_behind = any_behind || sides[k] == Sign::kNegative;
+  }
+  if (!any_front) {
+    // In the source's plane it is wholly in front iff its face is earlier.
+    const auto facets = scene_.facets();
+    const bool earlier =
+        facets[Index(p.facet)].face < facets[Index(facet_)].face;
+    if (any_behind || !earlier) return;
+  }
+  if (cones_.ReceiverSide(piece) == Sign::kZero) return;
+  Part part;
+  part.cone = any_front && any_behind
+                  ? cones_.InFrontOf(plane_triangle_, piece, sides)
+                  : cones_.Whole(piece);
+  const ImageBox box = BoxOf(part.cone);
+  if (!box.Meets(source_box_) || IsApart(part.cone)) return;
+  if (box.Contains(source_box_)) {
+    cones_.Complete(part.cone);
+    hidden_ = std::ranges::all_of(sources_, [&](const Part& source) {
+      return Contains(geometry_, part.cone, source.cone);
+    });
+    if (hidden_) return;
+  }
+  blocker_of_[Index(piece)] = source_generation_;
+  blockers_.push_back(part);
+  blocker_boxes_.push_back(box);
+}
+
+template class SourceParts<ViewGeometry>;
+template class SourceParts<UnfilteredViewGeometry>;
+
+}  // namespace truelux

@@ -1,0 +1,119 @@
+// One source seen from one receiver: its cones, and the parts of blockers that
+// can hide some of it (method.md, section 4).
+
+#ifndef TRUELUX_VISIBILITY_SOURCE_PARTS_H_
+#define TRUELUX_VISIBILITY_SOURCE_PARTS_H_
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "truelux/scene.h"
+
+#include "exact/view_geometry.h"
+#include "scene/convex_pieces.h"
+#include "visibility/cone.h"
+#include "visibility/image_box.h"
+
+namespace truelux {
+
+/// A cone with, per edge, the id of the candidate edge it is; kNoCandidate for
+/// an edge that is left out.
+struct Part {
+  static constexpr int kNoCandidate = -1;
+
+  Cone cone;
+  std::array<int, Cone::kMaxEdges> candidates{};
+};
+
+/// Collects the parts of one source after the other. What a source and what a
+/// blocker is are separate steps, so that the blockers can come from any
+/// superset of those that matter.
+template <class Geometry>
+class SourceParts {
+ public:
+  /// The arguments must outlive the object.
+  SourceParts(const Scene& scene, const ConvexPieces& pieces,
+              Geometry& geometry, ConeMaker<Geometry>& cones);
+
+  /// Chooses the source: the union of a facet's pieces, above the horizon.
+  /// False if nothing of it is. Requires r strictly in front of the facet.
+  bool SetSource(int facet);
+
+  /// Whether a piece may block the source, by its box; cheap.
+  bool MayBlock(int piece);
+
+  /// Adds a piece that may block the source. Ignores those that cannot hide
+  /// any of it, and pieces whose plane contains r.
+  void AddBlocker(int piece);
+
+  /// The pieces of the source above the horizon.
+  [[nodiscard]] std::span<Part> sources() { return sources_; }
+
+  [[nodiscard]] std::span<Part> blockers() { return blockers_; }
+
+  /// The boxes of blockers(), in their order.
+  [[nodiscard]] std::span<const ImageBox> blocker_boxes() const {
+    return blocker_boxes_;
+  }
+
+  [[nodiscard]] const ImageBox& source_box() const { return source_box_; }
+
+  /// Whether one blocker alone certainly hides the whole source.
+  [[nodiscard]] bool hidden() const { return hidden_; }
+
+  /// The box of an edge between two directions.
+  ImageBox BoxOfEdge(int from, int to);
+
+  /// Whether a direction lies strictly inside the source; false if the source
+  /// is more than one cone.
+  bool StrictlyInside(int direction);
+
+  /// Whether a blocking piece is among the blockers, with any part of it.
+  [[nodiscard]] bool IsBlocker(int piece) const {
+    return blocker_of_[static_cast<std::size_t>(piece)] == source_generation_;
+  }
+
+ private:
+  /// What a direction is to the source.
+  struct DirectionEntry {
+    std::uint64_t generation = 0;  ///< valid if it is the source's
+    ImageBox box;
+    bool misses = false;      ///< certainly never meets the source's plane
+    bool has_inside = false;  ///< `inside` is known
+    /// Bit k: strictly inside the source's plane k.
+    std::uint32_t inside = 0;
+  };
+
+  DirectionEntry& EntryOf(int direction);
+  std::uint32_t InsideBits(int direction);
+  ImageBox BoxOf(const Cone& cone);
+  bool IsApart(const Cone& cone);
+
+  const Scene& scene_;
+  const ConvexPieces& pieces_;
+  Geometry& geometry_;
+  ConeMaker<Geometry>& cones_;
+
+  int facet_ = -1;
+  int plane_triangle_ = -1;  ///< carries the source's plane
+  ImageChart chart_;
+  ImageBox source_box_;
+  /// A bit for every plane of the source if it is one cone, else none.
+  std::uint32_t all_inside_ = 0;
+  std::vector<Part> sources_;
+  std::vector<Part> blockers_;
+  std::vector<ImageBox> blocker_boxes_;
+  bool hidden_ = false;
+  std::uint64_t source_generation_ = 0;    ///< one more for every SetSource
+  std::vector<std::uint64_t> blocker_of_;  ///< per piece: last source it blocks
+  std::vector<DirectionEntry> entries_;    ///< per direction id
+};
+
+extern template class SourceParts<ViewGeometry>;
+extern template class SourceParts<UnfilteredViewGeometry>;
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_SOURCE_PARTS_H_

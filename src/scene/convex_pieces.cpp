@@ -15,8 +15,8 @@ std::size_t Index(int i) {
 }
 
 /// The boundary of a facet as one ring; empty if it has too many corners.
-std::vector<int> RingOf(std::span<const Triangle> triangles) {
-  if (triangles.size() + 2 > Index(ConvexPieces::kMaxCorners)) return {};
+std::vector<int> RingOf(std::span<const Triangle> triangles, int max_corners) {
+  if (triangles.size() + 2 > Index(max_corners)) return {};
   std::vector<std::array<int, 2>> edges;
   for (const Triangle& t : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -76,7 +76,7 @@ bool IsStrictlyConvex(std::span<const int> ring,
 
 }  // namespace
 
-ConvexPieces::ConvexPieces(const Scene& scene) {
+ConvexPieces::ConvexPieces(const Scene& scene, int max_corners) {
   const auto triangles = scene.triangles();
   const auto facets = scene.facets();
   first_piece_.reserve(facets.size() + 1);
@@ -86,7 +86,7 @@ ConvexPieces::ConvexPieces(const Scene& scene) {
                                        Index(facets[f].triangle_count));
     const int facet = static_cast<int>(f);
     if (own.size() > 1) {
-      const std::vector<int> ring = RingOf(own);
+      const std::vector<int> ring = RingOf(own, max_corners);
       if (!ring.empty() && IsStrictlyConvex(ring, scene.vertices(), triangles,
                                             facets[f].first_triangle)) {
         AddPiece(ring, facet, facets[f].first_triangle);

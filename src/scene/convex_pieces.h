@@ -28,10 +28,11 @@ struct Piece {
 /// corner to the piece's next one.
 class ConvexPieces {
  public:
-  /// Pieces with more corners are left as triangles.
   static constexpr int kMaxCorners = 7;
 
-  explicit ConvexPieces(const Scene& scene);
+  /// Facets with more than max_corners (3 .. kMaxCorners) corners are left as
+  /// triangles.
+  explicit ConvexPieces(const Scene& scene, int max_corners = kMaxCorners);
 
   [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }
 

@@ -45,9 +45,7 @@ class ShaftSource {
     Vec3<double> along;  ///< of any length
   };
 
-  void SetEdges(std::span<const Vec3<double>> ring);
-  void SetRectangle();
-  void SetPlane();
+  void SetEdges(const Vec3<double>& normal);
 
   Box box_;                           ///< of the source, exactly
   std::vector<Vec3<double>> points_;  ///< their hull contains the source
@@ -87,14 +85,14 @@ class Shaft {
   struct HalfSpace {
     Vec3<double> normal;
     double least;
-    /// The rows of FourBoxes with the corner of a box that is deepest inside.
+    /// The rows of FourBoxes with the corner that has the greatest normal . p.
     std::array<std::size_t, 3> rows;
   };
 
   void Add(const Vec3<double>& normal, double least);
   void AddSides(const ShaftSource& source, const Box& receivers);
   void AddSourcePlane(const ShaftSource& source, const Box& receivers);
-  void AddHorizon(const Box& receivers, const Vector3& normal);
+  void AddHorizon(const Box& receivers, const Vec3<double>& normal);
 
   Box box_;
   std::array<HalfSpace, 7> half_spaces_;  ///< 4 sides, 2 of S, the horizon

@@ -23,11 +23,18 @@ namespace truelux {
 class TreeCut {
  public:
   /// Whether nothing is left: no receiver of the block has a blocker.
-  [[nodiscard]] bool empty() const { return slots_.empty(); }
+  [[nodiscard]] bool empty() const { return parts_.empty(); }
 
  private:
   friend class TriangleTree;
-  std::vector<std::uint32_t> slots_;  ///< in visiting order
+
+  /// A node: all that is below it, or only its triangles.
+  struct Part {
+    std::int32_t node;
+    bool whole;
+  };
+
+  std::vector<Part> parts_;  ///< in visiting order
 };
 
 /// A bounding volume hierarchy whose nodes have up to four children, each a
@@ -68,7 +75,8 @@ class TriangleTree {
  private:
   friend class TriangleTreeBuilder;
 
-  /// A child is ~triangle or, if positive, a node (never the root, 0).
+  /// A child is ~triangle or, if positive, a node (never the root, 0); 0:
+  /// none, and its box is empty.
   struct Node {
     FourBoxes boxes;
     std::array<std::int32_t, 4> children{};
@@ -80,6 +88,9 @@ class TriangleTree {
 
   template <class Function>
   void VisitBelow(const Shaft& shaft, std::int32_t node, Function& visit) const;
+  template <class Function>
+  static void VisitTriangles(const Node& node, std::uint32_t kept,
+                             Function& visit);
   bool NarrowBelow(const Shaft& block, std::int32_t node, TreeCut& cut) const;
 
   [[nodiscard]] const Node& At(std::int32_t node) const {
@@ -97,13 +108,12 @@ void TriangleTree::Visit(const Shaft& shaft, Function&& visit) const {
 template <class Function>
 void TriangleTree::Visit(const Shaft& shaft, const TreeCut& cut,
                          Function&& visit) const {
-  for (const std::uint32_t slot : cut.slots_) {
-    const Node& node = nodes_[slot / 4];
-    const std::int32_t child = node.children[slot % 4];
-    if (child > 0) {
-      VisitBelow(shaft, child, visit);
-    } else if (shaft.Keeps(node.boxes.Get(slot % 4))) {
-      visit(int{~child});
+  for (const TreeCut::Part& part : cut.parts_) {
+    if (part.whole) {
+      VisitBelow(shaft, part.node, visit);
+    } else {
+      const Node& node = At(part.node);
+      VisitTriangles(node, shaft.Kept(node.boxes), visit);
     }
   }
 }
@@ -124,9 +134,15 @@ void TriangleTree::VisitBelow(const Shaft& shaft, std::int32_t root,
         stack[size++] = node.children[i];
       }
     }
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (((kept & node.leaves) >> i & 1U) != 0) visit(int{~node.children[i]});
-    }
+    VisitTriangles(node, kept, visit);
+  }
+}
+
+template <class Function>
+void TriangleTree::VisitTriangles(const Node& node, std::uint32_t kept,
+                                  Function& visit) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (((kept & node.leaves) >> i & 1U) != 0) visit(int{~node.children[i]});
   }
 }
 

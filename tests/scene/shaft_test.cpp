@@ -98,6 +98,25 @@ TEST(Shaft, ContainsItsHullAtAnyScale) {
   }
 }
 
+TEST(Shaft, ContainsItsEdgesWhereverTheyPassThroughDoubles) {
+  PortableRandom random(6);
+  for (int i = 0; i < 20000; ++i) {
+    Source source = RandomSource(random, 1);
+    // 40 bits, so that a 64th of a coordinate is exact.
+    const auto rounded = [](double x) {
+      return std::round(x * 0x1p40) / 0x1p40;
+    };
+    for (Point3& p : source.ring)
+      p = {rounded(p.x), rounded(p.y), rounded(p.z)};
+    const RoundUpward rounding;
+    const Shaft shaft(source.ForShafts(), Box::Of({0, 0, 0}));
+    for (const Point3& p : source.ring) {
+      const double t = random.Integer(0, 64) / 64.0;
+      ASSERT_TRUE(shaft.Keeps(Box::Of({t * p.x, t * p.y, t * p.z}))) << i;
+    }
+  }
+}
+
 TEST(Shaft, KeepsWhatIsAboveTheHorizonOfAReceiver) {
   PortableRandom random(2);
   for (int i = 0; i < 5000; ++i) {

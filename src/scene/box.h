@@ -36,7 +36,7 @@ struct FourBoxes {
   using Row = std::array<double, 4>;  ///< one coordinate of each box
 
   /// lo x, lo y, lo z, hi x, hi y, hi z; by default of empty boxes.
-  alignas(32) std::array<Row, 6> rows;
+  alignas(32) std::array<Row, 6> rows{};
 
   FourBoxes() {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -97,8 +97,8 @@ std::vector<int> VerticesOf(std::span<const Triangle> facet) {
     }
   } else if (facet.size() > 2) {
     std::ranges::sort(vertices);
-    const auto duplicates = std::ranges::unique(vertices);
-    vertices.erase(duplicates.begin(), duplicates.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()),
+                   vertices.end());
   }
   return vertices;
 }
@@ -144,7 +144,7 @@ ShaftSource::ShaftSource(std::span<const Point3> vertices,
 
 /// Of a source with more than four corners, the edges of a rectangle.
 void ShaftSource::SetEdges(const Vector& normal) {
-  std::array<Vector, 4> ring;
+  std::array<Vector, 4> ring{};
   if (points_.size() <= ring.size()) {
     edge_count_ = points_.size();
     std::ranges::copy(points_, ring.begin());
@@ -200,7 +200,7 @@ void Shaft::Add(const Vector& normal, double least) {
 void Shaft::AddSides(const ShaftSource& source, const Box& receivers) {
   const Vector centre =
       0.5 * ToVector(receivers.lo) - (-0.5) * ToVector(receivers.hi);
-  std::array<Vector, 4> to;
+  std::array<Vector, 4> to{};
   double size = 0;
   Vector inside{0, 0, 0};
   for (std::size_t k = 0; k < source.edge_count_; ++k) {

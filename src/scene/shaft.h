@@ -95,7 +95,7 @@ class Shaft {
   void AddHorizon(const Box& receivers, const Vec3<double>& normal);
 
   Box box_;
-  std::array<HalfSpace, 7> half_spaces_;  ///< 4 sides, 2 of S, the horizon
+  std::array<HalfSpace, 7> half_spaces_{};  ///< 4 sides, 2 of S, the horizon
   std::size_t count_ = 0;
 };
 

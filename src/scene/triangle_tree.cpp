@@ -10,7 +10,7 @@ namespace {
 /// A triangle while the tree is built.
 struct Item {
   Box box;
-  std::int32_t triangle;
+  std::int32_t triangle = 0;
 
   /// Where it counts as being, at half scale so that nothing overflows.
   [[nodiscard]] double Centre(std::size_t axis) const {
@@ -192,7 +192,8 @@ class TriangleTreeBuilder {
   static std::size_t BestBorder(const std::array<Bin, kBinCount>& bins,
                                 const AreaMeasure& area) {
     const auto cost = [&area](const Bin& bin) {
-      return area.Of(bin.box) * static_cast<double>((bin.count + 3) / 4);
+      const std::size_t nodes = (bin.count + 3) / 4;
+      return area.Of(bin.box) * static_cast<double>(nodes);
     };
     std::array<double, kBinCount> above{};
     Bin sum;

@@ -87,11 +87,12 @@ class TriangleTree {
   static constexpr std::size_t kMaxDepth = 80;
 
   template <class Function>
-  void VisitBelow(const Shaft& shaft, std::int32_t node, Function& visit) const;
+  void VisitBelow(const Shaft& shaft, std::int32_t index,
+                  Function& visit) const;
   template <class Function>
   static void VisitTriangles(const Node& node, std::uint32_t kept,
                              Function& visit);
-  bool NarrowBelow(const Shaft& block, std::int32_t node, TreeCut& cut) const;
+  bool NarrowBelow(const Shaft& block, std::int32_t index, TreeCut& cut) const;
 
   [[nodiscard]] const Node& At(std::int32_t node) const {
     return nodes_[static_cast<std::size_t>(node)];
@@ -120,11 +121,13 @@ void TriangleTree::Visit(const Shaft& shaft, const TreeCut& cut,
 
 /// Of a node, the triangles come before what is below its child nodes.
 template <class Function>
-void TriangleTree::VisitBelow(const Shaft& shaft, std::int32_t root,
+void TriangleTree::VisitBelow(const Shaft& shaft, std::int32_t index,
                               Function& visit) const {
+  // Not cleared: that would take as long as many a query.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
   std::array<std::int32_t, 3 * kMaxDepth + 1> stack;
   std::size_t size = 0;
-  stack[size++] = root;
+  stack[size++] = index;
   while (size > 0) {
     const Node& node = At(stack[--size]);
     const std::uint32_t kept = shaft.Kept(node.boxes);

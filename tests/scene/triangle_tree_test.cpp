@@ -141,6 +141,18 @@ std::vector<int> Kept(const Soup& soup, const Shaft& shaft) {
   return kept;
 }
 
+/// The triangles that meet the hull of a receiver and the source; none if it
+/// has no volume.
+std::vector<int> Meeting(const Soup& soup, const Point3& receiver) {
+  std::vector<int> meeting;
+  const HullTwin twin(soup.vertices, soup.source(), receiver);
+  if (!twin.has_volume()) return meeting;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    if (twin.Meets(soup.triangles[t])) meeting.push_back(static_cast<int>(t));
+  }
+  return meeting;
+}
+
 /// Whether `part` is `whole` with some numbers left out.
 bool IsSubsequence(const std::vector<int>& part,
                    const std::vector<int>& whole) {
@@ -151,41 +163,46 @@ bool IsSubsequence(const std::vector<int>& part,
   });
 }
 
+/// Checks what is visited for receivers of one block; returns how many
+/// triangles meet their hulls.
+int CheckVisits(const Soup& soup, const std::vector<Point3>& receivers) {
+  Box block;
+  for (const Point3& r : receivers)
+    block.Include(r);
+  const RoundUpward rounding;
+  const TriangleTree tree(soup.vertices, soup.triangles);
+  const ShaftSource source(soup.vertices, soup.source());
+  TreeCut cut;
+  tree.Narrow(Shaft(source, block), cut);
+  int met = 0;
+  for (const Point3& r : receivers) {
+    const Shaft shaft(source, Box::Of(r));
+    const std::vector<int> all = Visited(tree, shaft);
+    EXPECT_EQ(Sorted(all), Kept(soup, shaft));
+    const std::vector<int> narrowed = Visited(tree, shaft, cut);
+    EXPECT_TRUE(IsSubsequence(narrowed, all));
+    const std::vector<int> meeting = Meeting(soup, r);
+    EXPECT_TRUE(std::ranges::includes(Sorted(narrowed), meeting));
+    met += static_cast<int>(meeting.size());
+  }
+  return met;
+}
+
 class TriangleTreeOfKind : public ::testing::TestWithParam<Kind> {};
 
 TEST_P(TriangleTreeOfKind, VisitsWhatMeetsTheHull) {
   const Kind& kind = GetParam();
   PortableRandom random(7);
+  RandomSoup maker(kind, random);
   int met = 0;
   for (int i = 0; i < 60; ++i) {
-    RandomSoup maker(kind, random);
     const Soup soup = maker.Make(i % 2 == 0 ? random.Integer(2, 20) : 100);
     const Point3 centre = maker.Around({0, 0, 0}, 1);
     std::vector<Point3> receivers(4);
-    Box block;
-    for (Point3& r : receivers) {
+    for (Point3& r : receivers)
       r = maker.Around(centre, kind.receivers);
-      block.Include(r);
-    }
-    const RoundUpward rounding;
-    const TriangleTree tree(soup.vertices, soup.triangles);
-    const ShaftSource source(soup.vertices, soup.source());
-    TreeCut cut;
-    tree.Narrow(Shaft(source, block), cut);
-    for (const Point3& r : receivers) {
-      const Shaft shaft(source, Box::Of(r));
-      const std::vector<int> all = Visited(tree, shaft);
-      ASSERT_EQ(Sorted(all), Kept(soup, shaft));
-      const std::vector<int> narrowed = Visited(tree, shaft, cut);
-      ASSERT_TRUE(IsSubsequence(narrowed, all));
-      const HullTwin twin(soup.vertices, soup.source(), r);
-      if (!twin.has_volume()) continue;
-      for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-        if (!twin.Meets(soup.triangles[t])) continue;
-        ++met;
-        ASSERT_TRUE(std::ranges::count(narrowed, static_cast<int>(t)) == 1);
-      }
-    }
+    met += CheckVisits(soup, receivers);
+    ASSERT_FALSE(HasFailure()) << i;
   }
   EXPECT_GT(met, 500);
 }

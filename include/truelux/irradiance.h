@@ -66,9 +66,10 @@ class Oracle {
   /// The result does not depend on the engine or on the thread.
   [[nodiscard]] Irradiance Evaluate(const Receiver& receiver) const;
 
-  /// The same for many receivers, in their order: entry i is what
-  /// Evaluate(receivers[i]) gives, statistics included. Cheaper where
-  /// consecutive receivers are near each other, as in grids and images.
+  /// The same for many receivers, in their order: entry i has the value and
+  /// bound of Evaluate(receivers[i]). Cheaper where consecutive receivers are
+  /// near each other, as in grids and images, since they share where their
+  /// blockers can be; the statistics may then count fewer predicates.
   [[nodiscard]] std::vector<Irradiance> Evaluate(
       std::span<const Receiver> receivers) const;
 

@@ -28,6 +28,8 @@ struct Crossing {
   double error = HUGE_VAL;  ///< bound on |parameter - the true one|
 };
 
+/// Where an edge u -> v crosses a plane.
+///
 /// The parameter f / (f + g), f = |A.u|, g = |A.v|. With f~, g~ and bounds
 /// e_f < f~, e_g < g~ the true (f, g) lie in a box with f + g >= s - e, where
 /// s = f~ + g~ and e = e_f + e_g; there the gradient is (g, -f) / (f + g)^2, so

@@ -10,6 +10,10 @@
 #include <cstdint>
 #include <cstring>
 
+#ifdef __AVX__
+#include <immintrin.h>
+#endif
+
 #include "exact/crossing.h"
 #include "exact/filter.h"
 #include "exact/sign.h"
@@ -20,8 +24,10 @@ namespace truelux {
 struct BundleSides {
   static constexpr std::size_t kMaxPlanes = 8;
 
-  std::uint32_t positive = 0;                        ///< bit k: N_k . d > 0
-  std::uint32_t negative = 0;                        ///< bit k: N_k . d < 0
+  std::uint32_t positive = 0;  ///< bit k: N_k . d > 0
+  std::uint32_t negative = 0;  ///< bit k: N_k . d < 0
+  /// Whether a plane with neither bit set has sign zero; else it is not known.
+  bool complete = false;
   alignas(32) std::array<double, kMaxPlanes> value;  ///< the filter's
   alignas(32) std::array<double, kMaxPlanes> error;  ///< its bound
 
@@ -61,6 +67,7 @@ class PlaneBundle {
   /// Requires RoundUpward.
   template <bool kFiltered>
   void Filter(const FilteredDirection& d, BundleSides& sides) const {
+    sides.complete = false;
     FilterQuad<kFiltered>(0, d, sides);
     if (size_ <= kLanes) return;
     const std::uint32_t positive = sides.positive;
@@ -84,10 +91,17 @@ class PlaneBundle {
     Lanes b{};
   };
 
+  /// Bit k: lane k, which is 0 or has all its bits set.
   static std::uint32_t Gather(const Bits& lanes) {
+#ifdef __AVX__  // one instruction, which no portable expression leads to
+    __m256d raw;
+    std::memcpy(&raw, &lanes, sizeof raw);
+    return static_cast<std::uint32_t>(_mm256_movemask_pd(raw));
+#else
     constexpr Bits kBit{1, 2, 4, 8};
     const Bits bits = lanes & kBit;
     return static_cast<std::uint32_t>(bits[0] | bits[1] | bits[2] | bits[3]);
+#endif
   }
 
   template <bool kFiltered>

@@ -130,6 +130,8 @@ class BasicViewGeometry {
   /// Decides the planes that FilterSides left open. After it, a plane with
   /// neither bit set has sign zero.
   void CompleteSides(int bundle, int direction, BundleSides& sides) {
+    if (sides.complete) return;
+    sides.complete = true;
     if constexpr (kKind == PredicateKind::kUnfiltered) return;
     const std::uint32_t open =
         BundleMask(bundle) & ~(sides.positive | sides.negative);

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -41,6 +43,9 @@ void RequireReceiver(const Receiver& receiver, const Scene& scene) {
   }
   RequireFace(receiver.on_face, 0, scene, "on_face");
 }
+
+/// Consecutive receivers that share where their blockers are.
+constexpr std::size_t kBlockSize = 16;
 
 /// What one thread needs for one receiver after the other.
 struct Workspace {
@@ -91,11 +96,17 @@ std::vector<Irradiance> Oracle::Evaluate(
   results.reserve(receivers.size());
   const auto workspace = prepared_->Borrow();
   ContourQuery query{scene_, {}, 0};
-  for (const Receiver& receiver : receivers) {
-    RequireReceiver(receiver, scene_);
-    query.receiver = receiver;
-    BuildContour(query, options_.engine, *workspace);
-    results.push_back(EvaluateContour(query, workspace->contour, evaluation));
+  for (std::size_t first = 0; first < receivers.size(); first += kBlockSize) {
+    const auto block = receivers.subspan(
+        first, std::min(kBlockSize, receivers.size() - first));
+    for (const Receiver& receiver : block)
+      RequireReceiver(receiver, scene_);
+    workspace->builder.StartBlock(block);
+    for (const Receiver& receiver : block) {
+      query.receiver = receiver;
+      BuildContour(query, options_.engine, *workspace);
+      results.push_back(EvaluateContour(query, workspace->contour, evaluation));
+    }
   }
   return results;
 }
@@ -119,6 +130,7 @@ VisibleContour Oracle::Contour(const Receiver& receiver) const {
   RequireReceiver(receiver, scene_);
   const ContourQuery query{scene_, receiver, 0};
   const auto workspace = prepared_->Borrow();
+  workspace->builder.StartBlock({});  // whatever it was used for before
   BuildContour(query, options_.engine, *workspace);
   return DescribeContour(query, workspace->contour);
 }

@@ -92,6 +92,16 @@ Box BoxOf(Items items) {
   return box;
 }
 
+std::vector<Box> BoxesOf(std::span<const Point3> vertices,
+                         std::span<const Triangle> triangles) {
+  std::vector<Box> boxes(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (const int vertex : triangles[i].vertices)
+      boxes[i].Include(vertices[static_cast<std::size_t>(vertex)]);
+  }
+  return boxes;
+}
+
 }  // namespace
 
 /// Top down: a node's items are split in two until there are four sets.
@@ -221,19 +231,19 @@ class TriangleTreeBuilder {
   std::vector<TriangleTree::Node>& nodes_;
 };
 
-TriangleTree::TriangleTree(std::span<const Point3> vertices,
-                           std::span<const Triangle> triangles) {
-  if (triangles.empty()) return;
-  std::vector<Item> items(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    items[i].triangle = static_cast<std::int32_t>(i);
-    for (const int vertex : triangles[i].vertices)
-      items[i].box.Include(vertices[static_cast<std::size_t>(vertex)]);
-  }
-  nodes_.reserve(triangles.size() / 2);
+TriangleTree::TriangleTree(std::span<const Box> boxes) {
+  if (boxes.empty()) return;
+  std::vector<Item> items(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    items[i] = {boxes[i], static_cast<std::int32_t>(i)};
+  nodes_.reserve(boxes.size() / 2);
   TriangleTreeBuilder(nodes_).Build(items, 0);
   nodes_.shrink_to_fit();
 }
+
+TriangleTree::TriangleTree(std::span<const Point3> vertices,
+                           std::span<const Triangle> triangles)
+    : TriangleTree(BoxesOf(vertices, triangles)) {}
 
 void TriangleTree::Narrow(const Shaft& block, TreeCut& cut) const {
   cut.parts_.clear();

@@ -49,6 +49,9 @@ class TriangleTree {
   TriangleTree(std::span<const Point3> vertices,
                std::span<const Triangle> triangles);
 
+  /// The same over any boxes: what is said of triangle i holds for box i.
+  explicit TriangleTree(std::span<const Box> boxes);
+
   /// Calls visit(int triangle), once, for exactly the triangles whose box
   /// Shaft::Keeps, in an order that depends on the tree alone. (A node left
   /// out holds none of them: its box contains theirs, and the test is

@@ -1,6 +1,7 @@
 #include "visibility/contour_engine.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "visibility/cone.h"
 #include "visibility/contour_writer.h"
@@ -21,11 +22,27 @@ ContourEngine::ContourEngine(const Scene& scene)
       pieces_(scene),
       triangle_normals_(
           FilteredTriangleNormals(scene.vertices(), scene.triangles())) {
+  std::vector<Box> boxes(pieces_.pieces().size());
+  for (std::size_t p = 0; p < boxes.size(); ++p) {
+    for (const int vertex : pieces_.CornersOf(pieces_.pieces()[p]))
+      boxes[p].Include(scene.vertices()[static_cast<std::size_t>(vertex)]);
+  }
+  tree_ = TriangleTree(boxes);
   const auto facets = scene.facets();
   for (std::size_t f = 0; f < facets.size(); ++f) {
     const auto face = static_cast<std::size_t>(facets[f].face);
-    if (Emits(scene.faces()[face])) emitters_.push_back(static_cast<int>(f));
+    if (!Emits(scene.faces()[face])) continue;
+    const int facet = static_cast<int>(f);
+    emitters_.push_back({facet, ShaftsTo(facet)});
   }
+}
+
+ShaftSource ContourEngine::ShaftsTo(int facet) const {
+  const RoundUpward rounding;
+  const Facet& f = scene_.facets()[static_cast<std::size_t>(facet)];
+  return {scene_.vertices(), scene_.triangles().subspan(
+                                 static_cast<std::size_t>(f.first_triangle),
+                                 static_cast<std::size_t>(f.triangle_count))};
 }
 
 Contour ContourEngine::Build(const ContourQuery& query) const {
@@ -48,6 +65,18 @@ class BasicContourBuilder<kKind>::Impl {
         writer_(engine.scene(), engine.pieces(), geometry_),
         ignored_(engine.scene()) {}
 
+  void StartBlock(std::span<const Receiver> receivers) {
+    in_block_ = receivers.size() > 1;
+    if (!in_block_) return;
+    ++block_;
+    block_box_ = {};
+    block_normal_ = receivers.front().normal;
+    for (const Receiver& receiver : receivers) {
+      block_box_.Include(receiver.position);
+      if (receiver.normal != receivers.front().normal) block_normal_.reset();
+    }
+  }
+
   void Build(const ContourQuery& query, Contour& contour) {
     const RoundUpward rounding;
     geometry_.SetReceiver(query.receiver.position, query.receiver.normal);
@@ -56,15 +85,33 @@ class BasicContourBuilder<kKind>::Impl {
     writer_.Start(contour);
     sources_ = 0;
     blockers_ = 0;
+    const Receiver& receiver = query.receiver;
     if (query.only_source == 0) {
-      for (const int facet : engine_.emitters())
-        BuildSource(facet);
+      for (std::size_t e = 0; e < engine_.emitters().size(); ++e) {
+        const ContourEngine::Emitter& emitter = engine_.emitters()[e];
+        if (!StartSource(emitter.facet)) continue;
+        const Shaft shaft(emitter.shafts, Box::Of(receiver.position),
+                          receiver.normal);
+        const TreeCut* cut = CutOf(e);
+        if (cut == nullptr) {
+          engine_.tree().Visit(shaft, [this](int p) { AddPiece(p); });
+        } else {
+          engine_.tree().Visit(shaft, *cut, [this](int p) { AddPiece(p); });
+        }
+        FinishSource(emitter.facet);
+      }
     } else {
       const Face& face =
           engine_.scene()
               .faces()[static_cast<std::size_t>(query.only_source - 1)];
-      for (int f = 0; f < face.facet_count; ++f)
-        BuildSource(face.first_facet + f);
+      for (int f = face.first_facet; f < face.first_facet + face.facet_count;
+           ++f) {
+        if (!StartSource(f)) continue;
+        const Shaft shaft(engine_.ShaftsTo(f), Box::Of(receiver.position),
+                          receiver.normal);
+        engine_.tree().Visit(shaft, [this](int p) { AddPiece(p); });
+        FinishSource(f);
+      }
     }
     contour.statistics = geometry_.statistics();
     contour.statistics.sources = sources_;
@@ -73,24 +120,48 @@ class BasicContourBuilder<kKind>::Impl {
   }
 
  private:
-  void BuildSource(int facet) {
+  /// What a block of receivers shares towards one emitter.
+  struct SharedCut {
+    std::uint64_t block = 0;  ///< valid if it is the current one
+    TreeCut cut;
+  };
+
+  /// False if nothing of the facet can be seen.
+  bool StartSource(int facet) {
     if (ignored_.IsIgnored(facet) ||
         cones_.ReceiverSide(engine_.pieces().FirstPieceOf(facet)) !=
             Sign::kNegative ||
         !parts_.SetSource(facet)) {
-      return;
+      return false;
     }
     ++sources_;
-    const auto pieces = engine_.pieces().pieces();
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-      const int piece = static_cast<int>(p);
-      if (!parts_.MayBlock(piece) || ignored_.IsIgnored(pieces[p].facet)) {
-        continue;
-      }
-      parts_.AddBlocker(piece);
-    }
+    return true;
+  }
+
+  void AddPiece(int piece) {
+    ImageBox box;
+    if (!parts_.MayBlock(piece, box)) return;
+    const Piece& p = engine_.pieces().pieces()[static_cast<std::size_t>(piece)];
+    if (!ignored_.IsIgnored(p.facet)) parts_.AddBlocker(piece, box);
+  }
+
+  void FinishSource(int facet) {
     blockers_ += parts_.blockers().size();
     writer_.WriteSource(facet, arcs_.FindArcs());
+  }
+
+  /// What the block's receivers share; null without a block.
+  const TreeCut* CutOf(std::size_t emitter) {
+    if (!in_block_) return nullptr;
+    cuts_.resize(engine_.emitters().size());
+    SharedCut& shared = cuts_[emitter];
+    if (shared.block != block_) {
+      shared.block = block_;
+      engine_.tree().Narrow(
+          Shaft(engine_.emitters()[emitter].shafts, block_box_, block_normal_),
+          shared.cut);
+    }
+    return &shared.cut;
   }
 
   const ContourEngine& engine_;
@@ -102,6 +173,12 @@ class BasicContourBuilder<kKind>::Impl {
   IgnoredFacetCache ignored_;
   std::uint64_t sources_ = 0;
   std::uint64_t blockers_ = 0;
+
+  bool in_block_ = false;
+  std::uint64_t block_ = 0;  ///< one more for every block
+  Box block_box_;
+  std::optional<Vector3> block_normal_;  ///< if all receivers share it
+  std::vector<SharedCut> cuts_;          ///< per emitter
 };
 
 template <PredicateKind kKind>
@@ -118,6 +195,12 @@ BasicContourBuilder<kKind>::BasicContourBuilder(
 template <PredicateKind kKind>
 BasicContourBuilder<kKind>& BasicContourBuilder<kKind>::operator=(
     BasicContourBuilder&&) noexcept = default;
+
+template <PredicateKind kKind>
+void BasicContourBuilder<kKind>::StartBlock(
+    std::span<const Receiver> receivers) {
+  impl_->StartBlock(receivers);
+}
 
 template <PredicateKind kKind>
 void BasicContourBuilder<kKind>::Build(const ContourQuery& query,

@@ -4,11 +4,14 @@
 #define TRUELUX_VISIBILITY_CONTOUR_ENGINE_H_
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "exact/filter.h"
 #include "exact/view_geometry.h"
 #include "scene/convex_pieces.h"
+#include "scene/shaft.h"
+#include "scene/triangle_tree.h"
 #include "visibility/contour.h"
 
 namespace truelux {
@@ -31,14 +34,27 @@ class ContourEngine {
     return triangle_normals_;
   }
 
+  /// A facet of a face that emits.
+  struct Emitter {
+    int facet;
+    ShaftSource shafts;
+  };
+
   /// The facets of the faces that emit, in their order.
-  [[nodiscard]] std::span<const int> emitters() const { return emitters_; }
+  [[nodiscard]] std::span<const Emitter> emitters() const { return emitters_; }
+
+  /// What the shafts towards a facet have in common.
+  [[nodiscard]] ShaftSource ShaftsTo(int facet) const;
+
+  /// The boxes of the pieces.
+  [[nodiscard]] const TriangleTree& tree() const { return tree_; }
 
  private:
   Scene scene_;
   ConvexPieces pieces_;
   std::vector<FilteredPlane> triangle_normals_;
-  std::vector<int> emitters_;
+  TriangleTree tree_;
+  std::vector<Emitter> emitters_;
 };
 
 /// Finds visible contours in one scene, one receiver after the other; every
@@ -51,6 +67,12 @@ class BasicContourBuilder {
   ~BasicContourBuilder();
   BasicContourBuilder(BasicContourBuilder&&) noexcept;
   BasicContourBuilder& operator=(BasicContourBuilder&&) noexcept;
+
+  /// Announces that the receivers of the next Build calls are among these:
+  /// near ones then share what is found out about where their blockers are.
+  /// It changes no contour, only how often predicates are asked about pieces
+  /// that block nothing. Until the next call; an empty block ends it.
+  void StartBlock(std::span<const Receiver> receivers);
 
   /// As ContourEngine::Build, into `contour`, whose storage is used again.
   void Build(const ContourQuery& query, Contour& contour);

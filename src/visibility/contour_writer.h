@@ -65,19 +65,14 @@ class ContourWriter {
   }
 
   int Position(const ViewEdge& edge, const EdgePosition& position) {
-    if (position.kind == EdgePosition::Kind::kFrom) {
-      return DirectionIndex(edge.from);
-    }
-    if (position.kind == EdgePosition::Kind::kTo) {
-      return DirectionIndex(edge.to);
-    }
+    if (position.plane == kFromEnd) return DirectionIndex(edge.from);
+    if (position.plane == kToEnd) return DirectionIndex(edge.to);
     // With N a positive multiple of u x v, N x A is one of (A.u) v - (A.v) u,
     // which points between u and v if A.u > 0 > A.v, else away from there.
-    contour_->directions.push_back(
-        {.kind = DirectionRecipe::Kind::kCrossing,
-         .negated = position.crossing.from == Sign::kNegative,
-         .a = PlaneIndex(edge.plane),
-         .b = PlaneIndex(position.crossing.plane)});
+    contour_->directions.push_back({.kind = DirectionRecipe::Kind::kCrossing,
+                                    .negated = position.from == Sign::kNegative,
+                                    .a = PlaneIndex(edge.plane),
+                                    .b = PlaneIndex(position.plane)});
     return static_cast<int>(contour_->directions.size()) - 1;
   }
 

@@ -8,18 +8,16 @@ namespace truelux {
 
 template <class Geometry>
 bool CoverOf(Geometry& geometry, const ViewEdge& edge, const Cone& cone,
-             Cover& cover) {
-  BundleSides from;
-  BundleSides to;
-  geometry.FilterSides(cone.bundle, edge.from, from);
-  geometry.FilterSides(cone.bundle, edge.to, to);
+             BundleSides& from, BundleSides& to, Cover& cover) {
   if ((from.negative & to.negative) != 0) return false;
   geometry.CompleteSides(cone.bundle, edge.from, from);
   geometry.CompleteSides(cone.bundle, edge.to, to);
   const std::uint32_t not_inside =
       geometry.BundleMask(cone.bundle) & ~(from.positive | to.positive);
   if ((not_inside & (from.negative | to.negative)) != 0) return false;
-  cover = Cover{};
+  cover.begin = kEdgeFrom;
+  cover.end = kEdgeTo;
+  cover.side = Sign::kZero;
   if (not_inside != 0) {
     // The cone's plane is the edge's plane. The next direction of the cone
     // but one lies strictly inside plane k, and so on the cone's side.
@@ -28,19 +26,21 @@ bool CoverOf(Geometry& geometry, const ViewEdge& edge, const Cone& cone,
     cover.side = geometry.PlaneSide(edge.plane, inner).sign;
     cover.coincident = static_cast<int>(k);
   }
+  const auto crossing = [&](std::uint32_t bit) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(bit));
+    return MakeCrossing(cone.planes[k], from.SideOf(k), to.SideOf(k));
+  };
   const std::uint32_t leaving = from.positive & to.negative;
+  for (std::uint32_t bits = leaving; bits != 0; bits &= bits - 1) {
+    const EdgePosition p = crossing(bits);
+    if (ComparePositions(geometry, edge, p, cover.end) == Sign::kNegative) {
+      cover.end = p;
+    }
+  }
   const std::uint32_t entering = from.negative & to.positive;
-  for (std::uint32_t bits = leaving | entering; bits != 0; bits &= bits - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(bits));
-    const EdgePosition p{
-        EdgePosition::Kind::kCrossing,
-        MakeCrossing(cone.planes[k], from.SideOf(k), to.SideOf(k))};
-    if ((leaving >> k & 1) != 0) {
-      if (ComparePositions(geometry, edge, p, cover.end) == Sign::kNegative) {
-        cover.end = p;
-      }
-    } else if (ComparePositions(geometry, edge, p, cover.begin) ==
-               Sign::kPositive) {
+  for (std::uint32_t bits = entering; bits != 0; bits &= bits - 1) {
+    const EdgePosition p = crossing(bits);
+    if (ComparePositions(geometry, edge, p, cover.begin) == Sign::kPositive) {
       cover.begin = p;
     }
   }
@@ -50,34 +50,26 @@ bool CoverOf(Geometry& geometry, const ViewEdge& edge, const Cone& cone,
 }
 
 template <class Geometry>
-void EdgeSweep<Geometry>::Start(const ViewEdge& edge, bool positive_hidden) {
+bool CoverOf(Geometry& geometry, const ViewEdge& edge, const Cone& cone,
+             Cover& cover) {
+  BundleSides from;
+  BundleSides to;
+  geometry.FilterSides(cone.bundle, edge.from, from);
+  geometry.FilterSides(cone.bundle, edge.to, to);
+  return CoverOf(geometry, edge, cone, from, to, cover);
+}
+
+template <class Geometry>
+void EdgeSweep<Geometry>::Start(const ViewEdge& edge) {
   edge_ = edge;
   events_.clear();
   pieces_.clear();
-  blocker_[0] = 0;
-  blocker_[1] = positive_hidden ? 1 : 0;
 }
 
 template <class Geometry>
 void EdgeSweep<Geometry>::Add(const Cover& cover, Role role) {
   events_.push_back({cover.begin, role, cover.side, 1});
   events_.push_back({cover.end, role, cover.side, -1});
-}
-
-template <class Geometry>
-void EdgeSweep<Geometry>::Trim(const EdgePosition& begin,
-                               const EdgePosition& end) {
-  // As if some other candidate owned those parts.
-  Cover cover;
-  if (begin.kind != EdgePosition::Kind::kFrom) {
-    cover.end = begin;
-    AddOwner(cover);
-  }
-  if (end.kind != EdgePosition::Kind::kTo) {
-    cover.begin = end;
-    cover.end = {EdgePosition::Kind::kTo, {}};
-    AddOwner(cover);
-  }
 }
 
 template <class Geometry>
@@ -117,6 +109,10 @@ const std::vector<VisiblePiece>& EdgeSweep<Geometry>::Finish() {
 template bool CoverOf(ViewGeometry&, const ViewEdge&, const Cone&, Cover&);
 template bool CoverOf(UnfilteredViewGeometry&, const ViewEdge&, const Cone&,
                       Cover&);
+template bool CoverOf(ViewGeometry&, const ViewEdge&, const Cone&, BundleSides&,
+                      BundleSides&, Cover&);
+template bool CoverOf(UnfilteredViewGeometry&, const ViewEdge&, const Cone&,
+                      BundleSides&, BundleSides&, Cover&);
 template class EdgeSweep<ViewGeometry>;
 template class EdgeSweep<UnfilteredViewGeometry>;
 

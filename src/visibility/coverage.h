@@ -19,17 +19,20 @@ struct ViewEdge {
   int to = -1;
 };
 
-/// A position on a ViewEdge.
-struct EdgePosition {
-  enum class Kind : signed char { kFrom, kCrossing, kTo };
-  Kind kind = Kind::kFrom;
-  Crossing crossing;  ///< if kCrossing; strictly between from and to
-};
+/// A position on a ViewEdge: a crossing strictly between its ends, or an end.
+using EdgePosition = Crossing;
+
+/// Stands for the plane of a position that is an end.
+inline constexpr int kFromEnd = -2;
+inline constexpr int kToEnd = -1;
+
+inline constexpr EdgePosition kEdgeFrom{kFromEnd, Sign::kZero, 0, 0};
+inline constexpr EdgePosition kEdgeTo{kToEnd, Sign::kZero, 1, 0};
 
 /// The open interval of an edge inside a cone.
 struct Cover {
-  EdgePosition begin{EdgePosition::Kind::kFrom, {}};
-  EdgePosition end{EdgePosition::Kind::kTo, {}};
+  EdgePosition begin = kEdgeFrom;
+  EdgePosition end = kEdgeTo;
   /// kZero: the cone lies on both sides of the edge. Otherwise one of the
   /// cone's planes is the edge's plane, and the cone lies only on the side
   /// N . d > 0 (kPositive) or N . d < 0 (kNegative).
@@ -37,8 +40,7 @@ struct Cover {
   int coincident = -1;  ///< if side is not kZero: which edge of the cone
 
   [[nodiscard]] bool Whole() const {
-    return begin.kind == EdgePosition::Kind::kFrom &&
-           end.kind == EdgePosition::Kind::kTo;
+    return begin.plane == kFromEnd && end.plane == kToEnd;
   }
 };
 
@@ -46,12 +48,10 @@ struct Cover {
 template <class Geometry>
 Sign ComparePositions(Geometry& geometry, const ViewEdge& edge,
                       const EdgePosition& a, const EdgePosition& b) {
-  using Kind = EdgePosition::Kind;
-  if (a.kind == Kind::kCrossing && b.kind == Kind::kCrossing) {
-    return geometry.EdgeOrder(edge.plane, a.crossing, b.crossing);
-  }
-  if (a.kind == b.kind) return Sign::kZero;
-  return a.kind < b.kind ? Sign::kNegative : Sign::kPositive;
+  if (a.plane >= 0 && b.plane >= 0) return geometry.EdgeOrder(edge.plane, a, b);
+  if (a.plane == b.plane) return Sign::kZero;
+  const bool a_first = a.plane == kFromEnd || b.plane == kToEnd;
+  return a_first ? Sign::kNegative : Sign::kPositive;
 }
 
 /// Finds the part of an edge inside a complete cone; false if it is empty.
@@ -60,6 +60,11 @@ Sign ComparePositions(Geometry& geometry, const ViewEdge& edge,
 template <class Geometry>
 bool CoverOf(Geometry& geometry, const ViewEdge& edge, const Cone& cone,
              Cover& cover);
+
+/// The same, given the sides of the edge's ends to the cone's bundle.
+template <class Geometry>
+bool CoverOf(Geometry& geometry, const ViewEdge& edge, const Cone& cone,
+             BundleSides& from, BundleSides& to, Cover& cover);
 
 /// A piece of an edge of which exactly one side is visible.
 struct VisiblePiece {
@@ -75,8 +80,7 @@ class EdgeSweep {
  public:
   explicit EdgeSweep(Geometry& geometry) : geometry_(geometry) {}
 
-  /// positive_hidden: the side N . d > 0 is hidden all along.
-  void Start(const ViewEdge& edge, bool positive_hidden);
+  void Start(const ViewEdge& edge);
 
   /// The source is there.
   void AddSource(const Cover& cover) { Add(cover, Role::kSource); }
@@ -87,10 +91,6 @@ class EdgeSweep {
   /// A candidate edge in the same plane, with a smaller id than this one,
   /// which owns the arcs there.
   void AddOwner(const Cover& cover) { Add(cover, Role::kOwner); }
-
-  /// Leaves out what comes before `begin` or after `end`; all of it is known
-  /// to hold no arc.
-  void Trim(const EdgePosition& begin, const EdgePosition& end);
 
   /// The pieces that have exactly one visible side and no other owner, in
   /// order along the edge. Valid until the next Start.
@@ -124,6 +124,10 @@ extern template bool CoverOf(ViewGeometry&, const ViewEdge&, const Cone&,
                              Cover&);
 extern template bool CoverOf(UnfilteredViewGeometry&, const ViewEdge&,
                              const Cone&, Cover&);
+extern template bool CoverOf(ViewGeometry&, const ViewEdge&, const Cone&,
+                             BundleSides&, BundleSides&, Cover&);
+extern template bool CoverOf(UnfilteredViewGeometry&, const ViewEdge&,
+                             const Cone&, BundleSides&, BundleSides&, Cover&);
 extern template class EdgeSweep<ViewGeometry>;
 extern template class EdgeSweep<UnfilteredViewGeometry>;
 

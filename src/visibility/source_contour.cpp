@@ -1,6 +1,7 @@
 #include "visibility/source_contour.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace truelux {
 namespace {
@@ -22,25 +23,18 @@ SourceContour<Geometry>::SourceContour(const ConvexPieces& pieces,
       parts_(parts),
       sweep_(geometry) {}
 
-template <class Geometry>
-Part& SourceContour<Geometry>::OwnerOf(const Candidate& candidate) {
-  return candidate.is_blocker ? parts_.blockers()[Index(candidate.part)]
-                              : parts_.sources()[Index(candidate.part)];
-}
-
 /// Whether both sides of a source's edge are source: the pieces on both its
 /// sides survived the horizon.
 template <class Geometry>
 bool SourceContour<Geometry>::IsDiagonal(int edge) const {
-  const auto has_edge = [this](int piece) {
+  const auto is_source = [this](int piece) {
     return std::ranges::any_of(parts_.sources(), [piece](const Part& part) {
       return part.cone.piece == piece;
     });
   };
-  if (parts_.sources().size() == 1) return false;
   for (int other = pieces_.NextSameEdge(edge); other != edge;
        other = pieces_.NextSameEdge(other)) {
-    if (has_edge(pieces_.PieceOf(other))) return true;
+    if (is_source(pieces_.PieceOf(other))) return true;
   }
   return false;
 }
@@ -70,28 +64,24 @@ bool SourceContour<Geometry>::IsInner(int edge) {
 }
 
 template <class Geometry>
-void SourceContour<Geometry>::CollectEdges(std::span<Part> parts,
-                                           bool are_blockers) {
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    Part& part = parts[p];
+void SourceContour<Geometry>::NumberEdges(std::span<Part> parts,
+                                          bool are_blockers, int& next) {
+  for (Part& part : parts) {
     for (std::size_t k = 0; k < part.cone.size; ++k) {
       const int edge = part.cone.edges[k];
       const bool left_out =
           edge != kNoEdge && (are_blockers ? IsInner(edge) : IsDiagonal(edge));
-      part.candidates[k] =
-          left_out ? Part::kNoCandidate : static_cast<int>(candidates_.size());
-      if (left_out) continue;
-      candidates_.push_back(
-          {static_cast<int>(p), static_cast<int>(k), are_blockers});
+      part.candidates[k] = left_out ? Part::kNoCandidate : next++;
     }
   }
 }
 
+/// Gives every edge its id, except those that are left out.
 template <class Geometry>
-void SourceContour<Geometry>::CollectCandidates() {
-  candidates_.clear();
-  CollectEdges(parts_.sources(), false);
-  CollectEdges(parts_.blockers(), true);
+void SourceContour<Geometry>::NumberCandidates() {
+  int next = 0;
+  NumberEdges(parts_.sources(), false, next);
+  NumberEdges(parts_.blockers(), true, next);
 }
 
 /// Whether a cover of the edge's own plane belongs to a candidate that owns
@@ -104,131 +94,189 @@ bool SourceContour<Geometry>::IsOwnedBefore(const Part& part,
   return owner != Part::kNoCandidate && owner < id;
 }
 
-/// Adds the source's pieces to the sweep, and notes where and on which sides
-/// of the edge there is any source at all. False if there is none, or another
-/// candidate owns all arcs.
+/// Starts one edge with the interval that lies in the source, where arcs can
+/// be. False if there is none.
 template <class Geometry>
-bool SourceContour<Geometry>::SweepSource(const Candidate& candidate, int id) {
-  const bool one_piece = parts_.sources().size() == 1;
-  for (std::size_t p = 0; p < parts_.sources().size(); ++p) {
-    const Part& part = parts_.sources()[p];
-    Cover cover;
-    if (!candidate.is_blocker && candidate.part == static_cast<int>(p)) {
-      // Along its own edge a part holds the inner side of the whole edge.
-      cover.side = Sign::kPositive;
-    } else if (!parts_.StrictlyInside(edge_.from) ||
-               !parts_.StrictlyInside(edge_.to)) {
-      if (!CoverOf(geometry_, edge_, part.cone, cover)) continue;
-      if (IsOwnedBefore(part, cover, id)) {
-        if (cover.Whole()) return false;
-        sweep_.AddOwner(cover);
-      }
-    }
-    needed_.negative = needed_.negative || cover.side != Sign::kPositive;
-    needed_.positive = needed_.positive || cover.side != Sign::kNegative;
-    if (one_piece) {
-      begin_ = cover.begin;
-      end_ = cover.end;
-      source_side_ = cover.side;
-    } else {
-      sweep_.AddSource(cover);
-    }
-  }
-  return needed_.negative || needed_.positive;
-}
-
-/// Takes what a cover hides out of [begin_, end_] where it reaches one of its
-/// ends; otherwise the cover becomes part of the sweep. False if nothing is
-/// left.
-template <class Geometry>
-bool SourceContour<Geometry>::TrimBy(const Cover& cover) {
-  const auto before = [this](const EdgePosition& a, const EdgePosition& b) {
-    return ComparePositions(geometry_, edge_, a, b) == Sign::kNegative;
-  };
-  if (!before(begin_, cover.begin)) {
-    if (!before(begin_, cover.end)) return true;
-    begin_ = cover.end;
-    return before(begin_, end_);
-  }
-  if (!before(cover.end, end_)) {
-    if (before(cover.begin, end_)) end_ = cover.begin;
+bool SourceContour<Geometry>::StartEdge(const Owner& owner, std::size_t k) {
+  if (owner.part->candidates[k] == Part::kNoCandidate) return false;
+  // Along its own edge a source holds the inner side, a blocker hides it.
+  needs_positive_[k] = !owner.is_blocker;
+  if (!owner.is_blocker) {
+    ranges_[k].Start(kEdgeFrom, kEdgeTo);
     return true;
   }
-  sweep_.AddBlocker(cover);
-  return true;
-}
-
-/// False if no piece of the edge can be an arc any more.
-template <class Geometry>
-bool SourceContour<Geometry>::SweepBlocker(Part& part, int id) {
-  cones_.Complete(part.cone);
+  const ViewEdge& edge = edges_[k];
+  const Part& source = parts_.sources().front();
+  parts_.SidesOfSource(edge.from);
+  BundleSides& to = parts_.SidesOfSource(edge.to);
+  // Asked for last: the first question may have moved the second's answer.
+  BundleSides& from = parts_.SidesOfSource(edge.from);
+  const std::uint32_t all = geometry_.BundleMask(source.cone.bundle);
+  if ((from.positive & to.positive) == all) {
+    ranges_[k].Start(kEdgeFrom, kEdgeTo);
+    return true;
+  }
   Cover cover;
-  if (!CoverOf(geometry_, edge_, part.cone, cover)) return true;
-  const bool owned = IsOwnedBefore(part, cover, id);
-  const bool hides_positive = cover.side != Sign::kNegative;
-  const bool hides_negative = cover.side != Sign::kPositive;
-  if (owned || ((hides_positive || !needed_.positive) &&
-                (hides_negative || !needed_.negative))) {
-    return TrimBy(cover);
-  }
-  sweep_.AddBlocker(cover);
+  if (!CoverOf(geometry_, edge, source.cone, from, to, cover)) return false;
+  // In the plane of a source's edge, that edge owns the arcs.
+  if (cover.side != Sign::kZero) return false;
+  ranges_[k].Start(cover.begin, cover.end);
   return true;
 }
 
-/// False if no piece of the edge can be an arc.
+/// Starts the edges of a part; a bit for every edge that may hold arcs.
 template <class Geometry>
-bool SourceContour<Geometry>::SweepParts(const Candidate& candidate, int id) {
-  needed_ = {};
-  begin_ = {EdgePosition::Kind::kFrom, {}};
-  end_ = {EdgePosition::Kind::kTo, {}};
-  if (!SweepSource(candidate, id)) return false;
-  if (candidate.is_blocker) {
-    needed_.positive = false;
-    if (!needed_.negative) return false;
+std::uint32_t SourceContour<Geometry>::StartEdges(const Owner& owner) {
+  const Cone& cone = owner.part->cone;
+  std::uint32_t open = 0;
+  for (std::size_t k = 0; k < cone.size; ++k) {
+    edges_[k] = {cone.planes[k], cone.From(k), cone.To(k)};
+    if (!StartEdge(owner, k)) continue;
+    open |= 1U << k;
+    boxes_[k] = parts_.BoxOfEdge(edges_[k].from, edges_[k].to);
   }
-  const ImageBox box = parts_.BoxOfEdge(edge_.from, edge_.to);
-  return bins_.ForEach(box, [&](std::size_t p) {
-    if (candidate.is_blocker && candidate.part == static_cast<int>(p)) {
-      return true;
+  return open;
+}
+
+/// Takes what blocker p hides from the open edges of a part; closes those of
+/// which nothing is left. False if none is.
+template <class Geometry>
+bool SourceContour<Geometry>::Hide(const Owner& owner, std::size_t p,
+                                   std::uint32_t& open) {
+  const std::size_t size = owner.part->cone.size;
+  const auto next = [size](std::size_t k) { return k + 1 < size ? k + 1 : 0; };
+  const ImageBox& box = parts_.blocker_boxes()[p];
+  std::uint32_t near = 0;
+  std::uint32_t ends = 0;
+  for (std::uint32_t bits = open; bits != 0; bits &= bits - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+    if (!boxes_[k].Meets(box)) continue;
+    near |= 1U << k;
+    ends |= 1U << k | 1U << next(k);
+  }
+  if (near == 0) return true;
+  Part& blocker = parts_.blockers()[p];
+  cones_.Complete(blocker.cone);
+  std::uint32_t outside = ~0U;
+  for (std::uint32_t bits = ends; bits != 0; bits &= bits - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+    geometry_.FilterSides(blocker.cone.bundle, owner.part->cone.directions[k],
+                          sides_[k]);
+    outside &= sides_[k].negative;
+  }
+  if (outside != 0) return true;
+  for (std::uint32_t bits = near; bits != 0; bits &= bits - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+    if ((sides_[k].negative & sides_[next(k)].negative) != 0) continue;
+    Cover cover;
+    if (!CoverOf(geometry_, edges_[k], blocker.cone, sides_[k], sides_[next(k)],
+                 cover)) {
+      continue;
     }
-    if (!parts_.blocker_boxes()[p].Meets(box)) return true;
-    return SweepBlocker(parts_.blockers()[p], id);
-  });
+    const bool hides = cover.side == Sign::kZero ||
+                       (cover.side == Sign::kPositive) == needs_positive_[k] ||
+                       IsOwnedBefore(blocker, cover, owner.part->candidates[k]);
+    if (hides && !ranges_[k].Remove(geometry_, edges_[k], cover)) {
+      open &= ~(1U << k);
+    }
+  }
+  return open != 0;
 }
 
 template <class Geometry>
-void SourceContour<Geometry>::Sweep(int id) {
-  const Candidate& candidate = candidates_[Index(id)];
-  Part& owner = OwnerOf(candidate);
-  const auto k = Index(candidate.edge);
-  const int from = owner.cone.From(k);
-  const int to = owner.cone.To(k);
-  if (!parts_.BoxOfEdge(from, to).Meets(parts_.source_box())) return;
-  cones_.Complete(owner.cone);
-  edge_ = {owner.cone.planes[k], from, to};
-  sweep_.Start(edge_, candidate.is_blocker);
-  if (!SweepParts(candidate, id)) return;
-  if (parts_.sources().size() == 1) {
-    sweep_.AddSource({begin_, end_, source_side_});
-  } else {
-    sweep_.Trim(begin_, end_);
+void SourceContour<Geometry>::AddArc(const Owner& owner, std::size_t k,
+                                     const VisiblePiece& piece) {
+  const bool horizon = edges_[k].plane == cones_.horizon();
+  const Cone& cone = owner.part->cone;
+  arcs_.push_back({edges_[k], piece, horizon ? -1 : cone.piece,
+                   owner.is_blocker ? kNoEdge : cone.edges[k]});
+}
+
+/// The arcs on the edges of a part, if the source is one cone. Exactly one
+/// side of an edge can then see the source, so that what is visible is what
+/// the other parts leave of that side.
+template <class Geometry>
+void SourceContour<Geometry>::SweepPart(const Owner& owner) {
+  cones_.Complete(owner.part->cone);
+  std::uint32_t open = StartEdges(owner);
+  if (open == 0) return;
+  const ImageBox& box = owner.is_blocker ? parts_.blocker_boxes()[owner.index]
+                                         : parts_.source_box();
+  const bool any_left = bins_.ForEach(box, [&](std::size_t p) {
+    if (owner.is_blocker && p == owner.index) return true;
+    return Hide(owner, p, open);
+  });
+  if (!any_left) return;
+  for (; open != 0; open &= open - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(open));
+    ranges_[k].ForEachLeft(
+        geometry_, edges_[k],
+        [&](const EdgePosition& begin, const EdgePosition& end) {
+          AddArc(owner, k, {begin, end, needs_positive_[k]});
+        });
   }
-  const bool horizon = edge_.plane == cones_.horizon();
-  for (const VisiblePiece& piece : sweep_.Finish()) {
-    arcs_.push_back({edge_, piece, horizon ? -1 : owner.cone.piece,
-                     candidate.is_blocker ? kNoEdge : owner.cone.edges[k]});
+}
+
+/// The arcs on one edge of a part, whatever the source.
+template <class Geometry>
+void SourceContour<Geometry>::SweepEdgeOfMany(const Owner& owner,
+                                              std::size_t k) {
+  const int id = owner.part->candidates[k];
+  if (id == Part::kNoCandidate) return;
+  const Cone& cone = owner.part->cone;
+  edges_[k] = {cone.planes[k], cone.From(k), cone.To(k)};
+  const ViewEdge& edge = edges_[k];
+  sweep_.Start(edge);
+  bool any_source = false;
+  Cover cover;
+  for (const Part& source : parts_.sources()) {
+    if (!CoverOf(geometry_, edge, source.cone, cover)) continue;
+    any_source = true;
+    sweep_.AddSource(cover);
+    if (IsOwnedBefore(source, cover, id)) sweep_.AddOwner(cover);
   }
+  if (!any_source) return;
+  const auto boxes = parts_.blocker_boxes();
+  const ImageBox& box =
+      owner.is_blocker ? boxes[owner.index] : parts_.source_box();
+  const bool any_left = bins_.ForEach(box, [&](std::size_t p) {
+    if (!boxes[p].Meets(box)) return true;
+    Part& blocker = parts_.blockers()[p];
+    cones_.Complete(blocker.cone);
+    if (!CoverOf(geometry_, edge, blocker.cone, cover)) return true;
+    // Nothing is left where one blocker hides both sides of it all.
+    if (cover.side == Sign::kZero && cover.Whole()) return false;
+    sweep_.AddBlocker(cover);
+    if (IsOwnedBefore(blocker, cover, id)) sweep_.AddOwner(cover);
+    return true;
+  });
+  if (!any_left) return;
+  for (const VisiblePiece& piece : sweep_.Finish())
+    AddArc(owner, k, piece);
 }
 
 template <class Geometry>
 const std::vector<ViewArc>& SourceContour<Geometry>::FindArcs() {
   arcs_.clear();
   if (parts_.hidden()) return arcs_;
-  CollectCandidates();
   bins_.Build(parts_.blocker_boxes(), parts_.source_box());
-  for (std::size_t id = 0; id < candidates_.size(); ++id) {
-    Sweep(static_cast<int>(id));
-  }
+  parts_.DropHiddenBlockers(bins_);
+  NumberCandidates();
+  const bool one_cone = parts_.sources().size() == 1;
+  const auto sweep = [&](std::span<Part> parts, bool are_blockers) {
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      const Owner owner{&parts[p], p, are_blockers};
+      if (one_cone) {
+        SweepPart(owner);
+        continue;
+      }
+      cones_.Complete(parts[p].cone);
+      for (std::size_t k = 0; k < parts[p].cone.size; ++k)
+        SweepEdgeOfMany(owner, k);
+    }
+  };
+  sweep(parts_.sources(), false);
+  sweep(parts_.blockers(), true);
   return arcs_;
 }
 

@@ -3,9 +3,13 @@
 #ifndef TRUELUX_VISIBILITY_SOURCE_CONTOUR_H_
 #define TRUELUX_VISIBILITY_SOURCE_CONTOUR_H_
 
+#include <array>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "visibility/coverage.h"
+#include "visibility/open_range.h"
 #include "visibility/part_bins.h"
 #include "visibility/source_parts.h"
 
@@ -15,8 +19,8 @@ namespace truelux {
 struct ViewArc {
   ViewEdge edge;
   VisiblePiece piece;
-  int owner = -1;     ///< the piece whose edge it is; -1: the horizon
-  int own_edge = -1;  ///< the source's own edge that it lies on, or kNoEdge
+  int owner = -1;          ///< the piece whose edge it is; -1: the horizon
+  int own_edge = kNoEdge;  ///< the source's edge that it lies on, or kNoEdge
 };
 
 /// Finds the arcs of a source from its parts.
@@ -32,30 +36,28 @@ class SourceContour {
   const std::vector<ViewArc>& FindArcs();
 
  private:
-  /// A candidate edge; its id is its index.
-  struct Candidate {
-    int part = -1;  ///< index into the blockers or the sources
-    int edge = -1;  ///< of the part's cone
+  /// A part whose edges are being swept, and which it is.
+  struct Owner {
+    Part* part = nullptr;
+    std::size_t index = 0;  ///< among the blockers or the sources
     bool is_blocker = false;
   };
 
-  /// The sides of an edge on which an arc may see the source.
-  struct NeededSides {
-    bool positive = false;
-    bool negative = false;
-  };
-
-  Part& OwnerOf(const Candidate& candidate);
-  void CollectCandidates();
-  void CollectEdges(std::span<Part> parts, bool are_blockers);
+  void NumberCandidates();
+  void NumberEdges(std::span<Part> parts, bool are_blockers, int& next);
   bool IsDiagonal(int edge) const;
   bool IsInner(int edge);
-  void Sweep(int id);
-  bool SweepParts(const Candidate& candidate, int id);
-  bool SweepSource(const Candidate& candidate, int id);
-  bool SweepBlocker(Part& part, int id);
-  bool TrimBy(const Cover& cover);
   static bool IsOwnedBefore(const Part& part, const Cover& cover, int id);
+
+  // A source that is one cone: what is needed of an edge is one side of it.
+  void SweepPart(const Owner& owner);
+  std::uint32_t StartEdges(const Owner& owner);
+  bool StartEdge(const Owner& owner, std::size_t k);
+  bool Hide(const Owner& owner, std::size_t p, std::uint32_t& open);
+  void AddArc(const Owner& owner, std::size_t k, const VisiblePiece& piece);
+
+  // Any source: edge by edge.
+  void SweepEdgeOfMany(const Owner& owner, std::size_t k);
 
   const ConvexPieces& pieces_;
   Geometry& geometry_;
@@ -63,15 +65,14 @@ class SourceContour {
   SourceParts<Geometry>& parts_;
   EdgeSweep<Geometry> sweep_;
   PartBins bins_;
-  std::vector<Candidate> candidates_;
   std::vector<ViewArc> arcs_;
 
-  // Of the candidate that is being swept.
-  ViewEdge edge_;
-  NeededSides needed_;
-  Sign source_side_ = Sign::kZero;  ///< where the source is, if one piece
-  EdgePosition begin_;              ///< what comes before holds no arc
-  EdgePosition end_;                ///< nor what comes after
+  // Of the part that is being swept, per edge of its cone.
+  std::array<OpenRange<Geometry>, Cone::kMaxEdges> ranges_;
+  std::array<ViewEdge, Cone::kMaxEdges> edges_{};
+  std::array<ImageBox, Cone::kMaxEdges> boxes_;
+  std::array<bool, Cone::kMaxEdges> needs_positive_{};
+  std::array<BundleSides, Cone::kMaxEdges> sides_;
 };
 
 extern template class SourceContour<ViewGeometry>;

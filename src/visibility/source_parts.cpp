@@ -29,7 +29,7 @@ bool SourceParts<Geometry>::SetSource(int facet) {
   blockers_.clear();
   blocker_boxes_.clear();
   hidden_ = false;
-  all_inside_ = 0;
+  sides_.clear();
   ++source_generation_;
   plane_triangle_ = scene_.facets()[Index(facet)].first_triangle;
   chart_ = ImageChart(geometry_.TriangleNormalFilter(plane_triangle_));
@@ -45,9 +45,6 @@ bool SourceParts<Geometry>::SetSource(int facet) {
   source_box_ = BoxOf(sources_.front().cone);
   for (const Part& part : sources_)
     source_box_.Include(BoxOf(part.cone));
-  if (sources_.size() == 1) {
-    all_inside_ = (1U << sources_.front().cone.size) - 1;
-  }
   return true;
 }
 
@@ -61,28 +58,22 @@ auto SourceParts<Geometry>::EntryOf(int direction) -> DirectionEntry& {
     const FilteredDirection& d = geometry_.DirectionFilter(direction);
     entry.generation = source_generation_;
     entry.box = chart_.Of(d, entry.misses);
-    entry.has_inside = false;
+    entry.sides = kNoSides;
   }
   return entry;
 }
 
 template <class Geometry>
-std::uint32_t SourceParts<Geometry>::InsideBits(int direction) {
+BundleSides& SourceParts<Geometry>::SidesOfSource(int direction) {
   DirectionEntry& entry = EntryOf(direction);
-  if (!entry.has_inside) {
+  if (entry.sides == kNoSides) {
+    entry.sides = static_cast<int>(sides_.size());
     const int bundle = sources_.front().cone.bundle;
-    BundleSides sides;
+    BundleSides& sides = sides_.emplace_back();
     geometry_.FilterSides(bundle, direction, sides);
     geometry_.CompleteSides(bundle, direction, sides);
-    entry.has_inside = true;
-    entry.inside = sides.positive;
   }
-  return entry.inside;
-}
-
-template <class Geometry>
-bool SourceParts<Geometry>::StrictlyInside(int direction) {
-  return all_inside_ != 0 && InsideBits(direction) == all_inside_;
+  return sides_[Index(entry.sides)];
 }
 
 template <class Geometry>
@@ -102,11 +93,10 @@ ImageBox SourceParts<Geometry>::BoxOfEdge(int from, int to) {
 }
 
 template <class Geometry>
-bool SourceParts<Geometry>::MayBlock(int piece) {
+bool SourceParts<Geometry>::MayBlock(int piece, ImageBox& box) {
   const Piece& p = pieces_.pieces()[Index(piece)];
   if (hidden_ || p.facet == facet_) return false;
   bool misses = true;
-  ImageBox box;
   const auto corners = pieces_.CornersOf(p);
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const DirectionEntry& entry =
@@ -126,17 +116,18 @@ bool SourceParts<Geometry>::MayBlock(int piece) {
 /// correctness.)
 template <class Geometry>
 bool SourceParts<Geometry>::IsApart(const Cone& cone) {
-  if (all_inside_ == 0) return false;
+  if (sources_.size() != 1) return false;
+  const std::uint32_t all = geometry_.BundleMask(sources_.front().cone.bundle);
   std::uint32_t inside = 0;
   for (std::size_t k = 0; k < cone.size; ++k) {
-    inside |= InsideBits(cone.directions[k]);
-    if (inside == all_inside_) return false;
+    inside |= SidesOfSource(cone.directions[k]).positive;
+    if (inside == all) return false;
   }
   return true;
 }
 
 template <class Geometry>
-void SourceParts<Geometry>::AddBlocker(int piece) {
+void SourceParts<Geometry>::AddBlocker(int piece, const ImageBox& box) {
   const Piece& p = pieces_.pieces()[Index(piece)];
   const auto corners = pieces_.CornersOf(p);
   if (std::ranges::none_of(corners, [this](int v) {
@@ -161,12 +152,16 @@ void SourceParts<Geometry>::AddBlocker(int piece) {
   }
   if (cones_.ReceiverSide(piece) == Sign::kZero) return;
   Part part;
-  part.cone = any_front && any_behind
-                  ? cones_.InFrontOf(plane_triangle_, piece, sides)
-                  : cones_.Whole(piece);
-  const ImageBox box = BoxOf(part.cone);
-  if (!box.Meets(source_box_) || IsApart(part.cone)) return;
-  if (box.Contains(source_box_)) {
+  ImageBox part_box = box;
+  if (any_front && any_behind) {
+    part.cone = cones_.InFrontOf(plane_triangle_, piece, sides);
+    part_box = BoxOf(part.cone);
+    if (!part_box.Meets(source_box_)) return;
+  } else {
+    part.cone = cones_.Whole(piece);
+  }
+  if (IsApart(part.cone)) return;
+  if (part_box.Contains(source_box_)) {
     cones_.Complete(part.cone);
     hidden_ = std::ranges::all_of(sources_, [&](const Part& source) {
       return Contains(geometry_, part.cone, source.cone);
@@ -175,7 +170,39 @@ void SourceParts<Geometry>::AddBlocker(int piece) {
   }
   blocker_of_[Index(piece)] = source_generation_;
   blockers_.push_back(part);
-  blocker_boxes_.push_back(box);
+  blocker_boxes_.push_back(part_box);
+}
+
+template <class Geometry>
+void SourceParts<Geometry>::DropHiddenBlockers(PartBins& bins) {
+  std::size_t kept = 0;
+  dropped_.assign(blockers_.size(), false);
+  for (std::size_t p = 0; p < blockers_.size(); ++p) {
+    const ImageBox& box = blocker_boxes_[p];
+    // What another part hides is itself in the part that hides that one.
+    dropped_[p] = !bins.ForEachAround(box, [&](std::size_t other) {
+      if (other == p || dropped_[other] ||
+          !blocker_boxes_[other].Contains(box)) {
+        return true;
+      }
+      cones_.Complete(blockers_[other].cone);
+      return !Contains(geometry_, blockers_[other].cone, blockers_[p].cone);
+    });
+    if (!dropped_[p]) ++kept;
+  }
+  if (kept == blockers_.size()) return;
+  std::size_t next = 0;
+  for (std::size_t p = 0; p < blockers_.size(); ++p) {
+    if (dropped_[p]) continue;
+    if (next != p) {
+      blockers_[next] = blockers_[p];
+      blocker_boxes_[next] = blocker_boxes_[p];
+    }
+    ++next;
+  }
+  blockers_.resize(kept);
+  blocker_boxes_.resize(kept);
+  bins.Build(blocker_boxes_, source_box_);
 }
 
 template class SourceParts<ViewGeometry>;

@@ -15,6 +15,7 @@
 #include "scene/convex_pieces.h"
 #include "visibility/cone.h"
 #include "visibility/image_box.h"
+#include "visibility/part_bins.h"
 
 namespace truelux {
 
@@ -41,12 +42,17 @@ class SourceParts {
   /// False if nothing of it is. Requires r strictly in front of the facet.
   bool SetSource(int facet);
 
-  /// Whether a piece may block the source, by its box; cheap.
-  bool MayBlock(int piece);
+  /// Whether a piece may block the source, by its box; cheap. If so, `box` is
+  /// its box.
+  bool MayBlock(int piece, ImageBox& box);
 
   /// Adds a piece that may block the source. Ignores those that cannot hide
-  /// any of it, and pieces whose plane contains r.
-  void AddBlocker(int piece);
+  /// any of it, and pieces whose plane contains r. box: from MayBlock.
+  void AddBlocker(int piece, const ImageBox& box);
+
+  /// Takes out the blockers that lie in the cone of another one; of equal ones
+  /// one stays. `bins` hold the blockers' boxes, before and after.
+  void DropHiddenBlockers(PartBins& bins);
 
   /// The pieces of the source above the horizon.
   [[nodiscard]] std::span<Part> sources() { return sources_; }
@@ -66,11 +72,11 @@ class SourceParts {
   /// The box of an edge between two directions.
   ImageBox BoxOfEdge(int from, int to);
 
-  /// Whether a direction lies strictly inside the source; false if the source
-  /// is more than one cone.
-  bool StrictlyInside(int direction);
+  /// The sides of a direction to the planes of a source that is one cone.
+  BundleSides& SidesOfSource(int direction);
 
-  /// Whether a blocking piece is among the blockers, with any part of it.
+  /// Whether a piece blocks the source with any part of it, hidden by other
+  /// blockers or not.
   [[nodiscard]] bool IsBlocker(int piece) const {
     return blocker_of_[static_cast<std::size_t>(piece)] == source_generation_;
   }
@@ -80,14 +86,13 @@ class SourceParts {
   struct DirectionEntry {
     std::uint64_t generation = 0;  ///< valid if it is the source's
     ImageBox box;
-    bool misses = false;      ///< certainly never meets the source's plane
-    bool has_inside = false;  ///< `inside` is known
-    /// Bit k: strictly inside the source's plane k.
-    std::uint32_t inside = 0;
+    bool misses = false;   ///< certainly never meets the source's plane
+    int sides = kNoSides;  ///< index into sides_
   };
 
+  static constexpr int kNoSides = -1;
+
   DirectionEntry& EntryOf(int direction);
-  std::uint32_t InsideBits(int direction);
   ImageBox BoxOf(const Cone& cone);
   bool IsApart(const Cone& cone);
 
@@ -100,15 +105,15 @@ class SourceParts {
   int plane_triangle_ = -1;  ///< carries the source's plane
   ImageChart chart_;
   ImageBox source_box_;
-  /// A bit for every plane of the source if it is one cone, else none.
-  std::uint32_t all_inside_ = 0;
   std::vector<Part> sources_;
   std::vector<Part> blockers_;
   std::vector<ImageBox> blocker_boxes_;
+  std::vector<bool> dropped_;  ///< per blocker, while they are looked through
   bool hidden_ = false;
   std::uint64_t source_generation_ = 0;    ///< one more for every SetSource
   std::vector<std::uint64_t> blocker_of_;  ///< per piece: last source it blocks
   std::vector<DirectionEntry> entries_;    ///< per direction id
+  std::vector<BundleSides> sides_;         ///< of directions to the source
 };
 
 extern template class SourceParts<ViewGeometry>;

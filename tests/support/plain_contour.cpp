@@ -108,7 +108,7 @@ class PlainEngine {
   /// same plane, owns the arcs.
   void Sweep(const Cone& own, std::size_t edge) {
     const ViewEdge e{own.planes[edge], own.From(edge), own.To(edge)};
-    sweep_.Start(e, false);
+    sweep_.Start(e);
     const auto add = [&](const Cone& cone, bool blocks, bool before) {
       Cover cover;
       if (!CoverOf(geometry_, e, cone, cover)) return;

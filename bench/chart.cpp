@@ -13,7 +13,7 @@ namespace {
 constexpr double kPanelWidth = 400;
 constexpr double kPanelHeight = 420;
 constexpr double kLeft = 80;
-constexpr double kTop = 70;
+constexpr double kTop = 90;
 constexpr double kGap = 30;
 constexpr double kBottom = 60;
 constexpr double kLegendWidth = 200;
@@ -28,11 +28,12 @@ struct Axis {
   int low = std::numeric_limits<int>::max();  ///< decimal exponents
   int high = std::numeric_limits<int>::min();
 
+  /// Leaves room for a label on either side of the value.
   void Cover(double value) {
+    constexpr double kRoom = 0.3;
     const double decade = std::log10(value);
-    low = std::min(low, static_cast<int>(std::floor(decade)));
-    high = std::max(high, static_cast<int>(std::ceil(decade)));
-    if (low == high) ++high;
+    low = std::min(low, static_cast<int>(std::floor(decade - kRoom)));
+    high = std::max(high, static_cast<int>(std::ceil(decade + kRoom)));
   }
 
   /// 0 at the low end, 1 at the high end.
@@ -118,6 +119,24 @@ std::string EffortOf(const Measurement& m) {
              : "";
 }
 
+/// Where a label stands beside its marker.
+enum class Side { kAbove, kBelow, kBefore };
+
+std::string Label(double x, double y, Side side, const std::string& text) {
+  constexpr int kSize = 11;
+  if (text.empty()) return "";
+  if (side == Side::kAbove) return Text(x, y - 9, "middle", kSize, text);
+  if (side == Side::kBelow) return Text(x, y + 17, "middle", kSize, text);
+  return Text(x - 9, y + 4, "end", kSize, text);
+}
+
+/// The families with labels take turns, since lines that are near each other
+/// follow each other in the list.
+Side SideOf(std::size_t line) {
+  constexpr std::array kSides = {Side::kAbove, Side::kBelow, Side::kBefore};
+  return kSides[line % kSides.size()];
+}
+
 /// The frame, the series and the axes of one scene.
 class Panel {
  public:
@@ -130,7 +149,9 @@ class Panel {
     for (int e = x_axis_.low; e <= x_axis_.high; ++e) {
       const double x = X(std::pow(10.0, e));
       svg += Line(x, kTop, x, kTop + kPanelHeight, "#dddddd");
-      svg += Text(x, kTop + kPanelHeight + 18, "middle", 12, TimeLabel(e));
+      // The last label would run into the next panel's first.
+      if (e < x_axis_.high)
+        svg += Text(x, kTop + kPanelHeight + 18, "middle", 12, TimeLabel(e));
     }
     for (int e = y_axis_.low; e <= y_axis_.high; ++e) {
       const double y = Y(std::pow(10.0, e));
@@ -148,10 +169,10 @@ class Panel {
     return svg;
   }
 
-  /// The effort stands at the ends of a line, on the side that its slope
-  /// leaves free; even series to the right of it, odd ones to the left.
+  /// The points of one family and, where its methods differ in effort, the
+  /// least and the greatest effort beside them.
   [[nodiscard]] std::string Series(const std::vector<Measurement>& points,
-                                   std::size_t index) const {
+                                   std::size_t index, Side labels) const {
     std::string corners;
     for (const Measurement& m : points) {
       corners +=
@@ -165,11 +186,8 @@ class Panel {
       const double x = X(points[i].Microseconds());
       const double y = Y(*points[i].error);
       svg += Marker(x, y, index);
-      if (i != 0 && i + 1 != points.size()) continue;
-      const std::string effort = EffortOf(points[i]);
-      if (effort.empty()) continue;
-      svg += index % 2 == 0 ? Text(x + 8, y - 4, "start", 11, effort)
-                            : Text(x - 8, y + 13, "end", 11, effort);
+      if (i == 0 || i + 1 == points.size())
+        svg += Label(x, y, labels, EffortOf(points[i]));
     }
     return svg;
   }
@@ -206,7 +224,6 @@ std::string ErrorChart(const std::vector<Measurement>& measurements,
   if (shown.empty()) return "";
   Axis x;
   Axis y;
-  y.Cover(1);
   for (const Measurement& m : shown) {
     x.Cover(m.Microseconds());
     y.Cover(*m.error);
@@ -224,7 +241,9 @@ std::string ErrorChart(const std::vector<Measurement>& measurements,
       " viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\">\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
       width, height);
-  svg += Text(kLeft, 30, "start", 16, "Irradiance behind random triangles");
+  svg += Text(kLeft, 26, "start", 16, "Irradiance behind random triangles");
+  svg += Text(kLeft, 45, "start", 12,
+              "numbers beside lines: shadow rays, or rows of the scanline");
   svg += Text(0, 0, "middle", 13, "relative RMS error",
               fmt::format(" transform=\"translate(24 {}) rotate(-90)\"",
                           kTop + kPanelHeight / 2));
@@ -232,12 +251,15 @@ std::string ErrorChart(const std::vector<Measurement>& measurements,
     const Panel panel(kLeft + static_cast<double>(i) * (kPanelWidth + kGap), x,
                       y);
     svg += panel.Frame(names[i], i == 0);
+    std::size_t lines = 0;
     for (std::size_t k = 0; k < families.size(); ++k) {
       std::vector<Measurement> points;
       for (const Measurement& m : shown) {
         if (m.scene == names[i] && m.family == families[k]) points.push_back(m);
       }
-      svg += panel.Series(points, k);
+      if (points.empty()) continue;
+      svg += panel.Series(points, k, SideOf(lines));
+      if (points.size() > 1) ++lines;
     }
   }
   return svg + Legend(legend, families) + "</svg>\n";

@@ -26,31 +26,62 @@ struct Entry {
   }
 };
 
-std::optional<double> RelativeError(const std::vector<Rgb>& values,
-                                    const std::vector<Rgb>& truth) {
+/// Root of the mean of (error / truth)^2 over the entries with truth > 0.
+template <class Error>
+std::optional<double> RootMeanSquare(const std::vector<Irradiance>& results,
+                                     const std::vector<Irradiance>& truth,
+                                     Error error) {
   double sum = 0;
   int count = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (truth[i][0] == 0) continue;
-    const double error = (values[i][0] - truth[i][0]) / truth[i][0];
-    sum += error * error;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const double value = truth[i].value[0];
+    if (value == 0) continue;
+    const double relative = error(results[i], value) / value;
+    sum += relative * relative;
     ++count;
   }
   if (count == 0) return std::nullopt;
   return std::sqrt(sum / count);
 }
 
+/// Microseconds a receiver. Short runs are repeated, after one that does not
+/// count: the method before may have left the caches and the heap in a state
+/// whose mending must not be charged here.
+double Time(const Entry& entry) {
+  constexpr double kLeastSeconds = 0.005;
+  double begin = ThreadSeconds();
+  entry.method->run(entry.Receivers());
+  double seconds = ThreadSeconds() - begin;
+  int runs = 1;
+  if (seconds < kLeastSeconds) {
+    begin = ThreadSeconds();
+    for (runs = 0, seconds = 0; seconds < kLeastSeconds; ++runs) {
+      entry.method->run(entry.Receivers());
+      seconds = ThreadSeconds() - begin;
+    }
+  }
+  return 1e6 * seconds / (runs * static_cast<double>(entry.receivers));
+}
+
 /// Runs the methods of a task once; the first one's values are the truth.
 void FindErrors(std::span<Entry> entries) {
-  std::vector<Rgb> truth;
+  std::vector<Irradiance> truth;
   for (Entry& entry : entries) {
     Announce(entry.scene->name + ": " + entry.method->name);
-    const std::vector<Rgb> values = entry.method->run(entry.Receivers());
+    const std::vector<Irradiance> results =
+        entry.method->run(entry.Receivers());
+    for (const Irradiance& irradiance : results)
+      entry.result.statistics += irradiance.statistics;
     if (truth.empty()) {
-      truth = values;
-      entry.result.error = 0x1p-53;
+      truth = results;
+      entry.result.error = RootMeanSquare(
+          results, truth,
+          [](const Irradiance& e, double /*truth*/) { return e.bound[0]; });
     } else {
-      entry.result.error = RelativeError(values, truth);
+      entry.result.error = RootMeanSquare(
+          results, truth, [](const Irradiance& e, double truth_of_it) {
+            return e.value[0] - truth_of_it;
+          });
     }
   }
 }
@@ -103,11 +134,7 @@ std::vector<Measurement> Measure(const std::vector<Task>& tasks,
     for (Entry& entry : entries) {
       Announce(fmt::format("{}: {}, round {}", entry.scene->name,
                            entry.method->name, round + 1));
-      const double begin = ThreadSeconds();
-      entry.method->run(entry.Receivers());
-      const double seconds = ThreadSeconds() - begin;
-      entry.result.rounds.push_back(1e6 * seconds /
-                                    static_cast<double>(entry.receivers));
+      entry.result.rounds.push_back(Time(entry));
     }
   }
   Announce("");

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "truelux/statistics.h"
+
 #include "methods.h"
 #include "scenes.h"
 
@@ -32,8 +34,9 @@ struct Measurement {
   std::vector<double> rounds;  ///< microseconds a receiver, one per round
   /// Root of the mean of ((value - certified) / certified)^2 over the receivers
   /// whose certified value is not 0; nothing if there are none. For the
-  /// certified values themselves 2^-53, what rounding to nearest may cost.
+  /// certified values themselves the same of their bounds.
   std::optional<double> error;
+  Statistics statistics;  ///< over all receivers
 
   [[nodiscard]] double Microseconds() const { return Median(rounds); }
 };

@@ -3,26 +3,20 @@
 #include <memory>
 #include <utility>
 
-#include "truelux/irradiance.h"
-
 #include "baselines/scanline.h"
 #include "polygon_set.h"
 
 namespace truelux::bench {
 namespace {
 
-/// As many as a receiver's neighbours should not share.
+/// So many receivers in a row do not share their samples.
 constexpr std::size_t kSampleSets = 4;
 
 Contender OracleMethod(const BenchScene& scene, std::string name,
                        const OracleOptions& options) {
   const auto oracle = std::make_shared<const Oracle>(scene.scene, options);
   const auto run = [oracle](std::span<const Receiver> receivers) {
-    std::vector<Rgb> values;
-    values.reserve(receivers.size());
-    for (const Irradiance& irradiance : oracle->Evaluate(receivers))
-      values.push_back(irradiance.value);
-    return values;
+    return oracle->Evaluate(receivers);
   };
   return {name, name, run};
 }
@@ -31,11 +25,11 @@ Contender OracleMethod(const BenchScene& scene, std::string name,
 template <class OneReceiver>
 Contender EachReceiver(std::string name, std::string family, OneReceiver one) {
   const auto run = [one](std::span<const Receiver> receivers) {
-    std::vector<Rgb> values;
-    values.reserve(receivers.size());
+    std::vector<Irradiance> results;
+    results.reserve(receivers.size());
     for (const Receiver& receiver : receivers)
-      values.push_back(one(receiver, values.size()));
-    return values;
+      results.push_back({one(receiver, results.size()), {}, {}});
+    return results;
   };
   return {std::move(name), std::move(family), run};
 }

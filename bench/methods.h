@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "truelux/geometry.h"
+#include "truelux/irradiance.h"
 #include "truelux/receiver.h"
 
 #include "baselines/emitter_samples.h"
@@ -25,8 +25,9 @@ namespace truelux::bench {
 struct Contender {
   std::string name;    ///< e.g. "Embree Sobol 1024"
   std::string family;  ///< e.g. "Embree Sobol": methods that differ in effort
-  /// The irradiance at each receiver [W/m^2].
-  std::function<std::vector<Rgb>(std::span<const Receiver>)> run;
+  /// The irradiance at each receiver; bounds and statistics as far as the
+  /// method has them.
+  std::function<std::vector<Irradiance>(std::span<const Receiver>)> run;
   /// It is run on so many of the scene's first receivers only; 0: on all.
   std::size_t max_receivers = 0;
 };

@@ -68,7 +68,7 @@ TestFace Black(const Point3& a, const Point3& b, const Point3& c) {
 }
 
 TestFace GridLampFace() {
-  return {testing::Ceiling(-1, 1, -1, 1, 4), kWhite};
+  return {testing::Ceiling(-0.4, 0.4, -0.4, 0.4, 4), kWhite};
 }
 
 }  // namespace
@@ -153,11 +153,11 @@ BenchScene MakeGrid(int boxes, int side, std::uint64_t seed) {
       GridLampFace(),
       {testing::Floor(-kHalf, kHalf, -kHalf, kHalf, 0), testing::kBlack}};
   for (int i = 0; i < boxes; ++i) {
-    const double x = random.Uniform(-2.5, 2.2);
-    const double y = random.Uniform(-2.5, 2.2);
-    const double z = random.Uniform(0.2, 2);
-    const double width = random.Uniform(0.1, 0.6);
-    const double depth = random.Uniform(0.1, 0.6);
+    const double x = random.Uniform(-2.5, 1.8);
+    const double y = random.Uniform(-2.5, 1.8);
+    const double z = random.Uniform(0.1, 0.8);
+    const double width = random.Uniform(0.2, 0.8);
+    const double depth = random.Uniform(0.2, 0.8);
     AppendBox(faces, {x, y, z},
               {x + width, y + depth, z + random.Uniform(0.1, 0.8)});
   }

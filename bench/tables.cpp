@@ -41,12 +41,24 @@ void PrintScene(const BenchScene& scene,
     fmt::print("{:<24} {:>9} {:>14.4g} {:>12}\n", m.method, m.receivers,
                m.Microseconds(), ErrorText(m));
   }
+  if (const Measurement* certified =
+          Find(measurements, scene.name, kCertifiedName)) {
+    const Statistics& statistics = certified->statistics;
+    const double count = certified->receivers;
+    fmt::print(
+        "({:.3g} blocker parts and {:.3g} arcs a receiver; {} of {}"
+        " receivers in multiple precision)\n",
+        static_cast<double>(statistics.blockers) / count,
+        static_cast<double>(statistics.arcs) / count,
+        statistics.evaluated_multiprecision, certified->receivers);
+  }
   for (const std::string& remark : remarks)
     fmt::print("({})\n", remark);
   std::fflush(stdout);
 }
 
 void PrintBar(const std::vector<BarRow>& rows) {
+  if (rows.empty()) return;
   const std::size_t width = Widest(4, rows);
   fmt::print("\n{:<{}} {:>9} {:>8} {:>8}\n", "what", width, "measured",
              "at most", "aim");

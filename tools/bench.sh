@@ -10,7 +10,9 @@
 
 lock_build
 need_packages run bench
-if ! is_configured || [[ "$(cache_value TRUELUX_BUILD_BENCH)" != ON ]]; then
+if ! is_configured; then
+  configure -DTRUELUX_BUILD_TESTS=OFF -DTRUELUX_BUILD_BENCH=ON
+elif [[ "$(cache_value TRUELUX_BUILD_BENCH)" != ON ]]; then
   configure -DTRUELUX_BUILD_BENCH=ON
 fi
 build_target side_by_side

@@ -51,16 +51,16 @@ class RowIntegral {
       : a_(a), b_(b), d_(d), root_(std::sqrt(d)) {}
 
   [[nodiscard]] double Between(double from, double to) const {
-    return At(to) - At(from);
+    const double from_square = from * from + d_;
+    const double to_square = to * to + d_;
+    // One arctangent for the difference of two: the angle is below pi.
+    const double angle = std::atan2(root_ * (to - from), d_ + from * to);
+    return a_ / (2 * d_) *
+               (to / to_square - from / from_square + angle / root_) -
+           b_ / 2 * (1 / to_square - 1 / from_square);
   }
 
  private:
-  [[nodiscard]] double At(double x) const {
-    const double square = x * x + d_;
-    return a_ / (2 * d_) * (x / square + std::atan(x / root_) / root_) -
-           b_ / (2 * square);
-  }
-
   double a_;
   double b_;
   double d_;
@@ -170,22 +170,30 @@ double ScanlineQuadrature::FormFactor(const Source& source,
   const Point3& r = receiver.position;
   const double h = Dot(source.n, Between(source.origin, r));
   if (!(h > 0)) return 0;
-  const auto image = [&](int vertex) -> ImagePoint {
-    const Vec d =
-        Between(r, scene_.vertices()[static_cast<std::size_t>(vertex)]);
-    return {Dot(source.u, d), Dot(source.v, d), -Dot(source.n, d) / h};
+  std::vector<ImagePoint> images;
+  images.reserve(scene_.vertices().size());
+  for (const Point3& p : scene_.vertices()) {
+    const Vec d = Between(r, p);
+    images.push_back(
+        {Dot(source.u, d), Dot(source.v, d), -Dot(source.n, d) / h});
+  }
+  const auto image = [&images](int vertex) {
+    return images[static_cast<std::size_t>(vertex)];
   };
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Window window{kFar, -kFar, kFar, -kFar};
   std::vector<std::array<ImagePoint, 2>> boundary;
   for (const auto& edge : source.boundary) {
     boundary.push_back({image(edge[0]), image(edge[1])});
     for (const ImagePoint& p : boundary.back()) {
-      least = std::min(least, p.y);
-      most = std::max(most, p.y);
+      window.x_low = std::min(window.x_low, p.x);
+      window.x_high = std::max(window.x_high, p.x);
+      window.y_low = std::min(window.y_low, p.y);
+      window.y_high = std::max(window.y_high, p.y);
     }
   }
-  const Rows rows{least, (most - least) / row_count, row_count};
+  const Rows rows{window.y_low, (window.y_high - window.y_low) / row_count,
+                  row_count};
   std::vector<Strip> strips;
   for (const Triangle& t : scene_.triangles()) {
     if (t.facet == source.facet) continue;
@@ -193,7 +201,7 @@ double ScanlineQuadrature::FormFactor(const Source& source,
       continue;
     AppendShadow(
         {image(t.vertices[0]), image(t.vertices[1]), image(t.vertices[2])},
-        rows, strips);
+        window, rows, strips);
   }
   const Vec n = Unit({receiver.normal.x, receiver.normal.y, receiver.normal.z});
   const double slope = Dot(n, source.u);

@@ -35,6 +35,21 @@ CutTriangle Cut(const CutTriangle& polygon, double sign, double level) {
   return kept;
 }
 
+/// Whether all corners are on one outer side of the window. y - c s is linear
+/// over the triangle, so that its sign at the corners holds for all points.
+bool Misses(const std::array<ImagePoint, 3>& triangle, const Window& window) {
+  const auto all = [&triangle](auto outside) {
+    return outside(triangle[0]) && outside(triangle[1]) && outside(triangle[2]);
+  };
+  using P = const ImagePoint&;
+  return all([&](P p) { return p.s > kCoplanar; }) ||
+         all([&](P p) { return p.s < kNearest; }) ||
+         all([&](P p) { return p.y >= window.y_high * p.s; }) ||
+         all([&](P p) { return p.y <= window.y_low * p.s; }) ||
+         all([&](P p) { return p.x >= window.x_high * p.s; }) ||
+         all([&](P p) { return p.x <= window.x_low * p.s; });
+}
+
 struct Point2 {
   double x = 0;
   double y = 0;
@@ -51,12 +66,10 @@ int Rows::FirstFrom(double y) const {
   return static_cast<int>(std::clamp(row, 0.0, static_cast<double>(count)));
 }
 
-void AppendShadow(const std::array<ImagePoint, 3>& triangle, const Rows& rows,
+void AppendShadow(const std::array<ImagePoint, 3>& triangle,
+                  const Window& window, const Rows& rows,
                   std::vector<Strip>& strips) {
-  const auto behind = [](const ImagePoint& p) { return p.s > kCoplanar; };
-  const auto below = [](const ImagePoint& p) { return p.s < kNearest; };
-  if (std::ranges::all_of(triangle, behind)) return;
-  if (std::ranges::all_of(triangle, below)) return;
+  if (Misses(triangle, window)) return;
   CutTriangle polygon;
   for (const ImagePoint& p : triangle)
     polygon.Add(p);

@@ -46,11 +46,20 @@ struct Strip {
   Line right;
 };
 
+/// What a source spans in its plane.
+struct Window {
+  double x_low = 0;
+  double x_high = 0;
+  double y_low = 0;
+  double y_high = 0;
+};
+
 /// Appends the shadow of a triangle: of its part in front of the source's
-/// plane (0 < s < 1). Parts closer to r than kNearest of the source's height
+/// plane (0 < s < 1), unless that certainly misses the window. Parts closer to r than kNearest of the source's height
 /// are dropped, and so are triangles that keep within 1e-12 of the source's
 /// plane: in double they cannot be told from coplanar ones.
-void AppendShadow(const std::array<ImagePoint, 3>& triangle, const Rows& rows,
+void AppendShadow(const std::array<ImagePoint, 3>& triangle,
+                  const Window& window, const Rows& rows,
                   std::vector<Strip>& strips);
 
 inline constexpr double kNearest = 1e-9;

@@ -106,10 +106,11 @@ std::string Marker(double x, double y, std::size_t series) {
 /// 10^exponent microseconds in a handy unit.
 std::string TimeLabel(int exponent) {
   constexpr std::array<const char*, 4> kUnits = {"ns", "\u00b5s", "ms", "s"};
-  const int thousands =
+  const std::ptrdiff_t thousands =
       std::clamp(static_cast<int>(std::floor(exponent / 3.0)), -1, 2);
-  return fmt::format("{:g} {}", std::pow(10.0, exponent - 3 * thousands),
-                     kUnits[static_cast<std::size_t>(thousands + 1)]);
+  return fmt::format(
+      "{:g} {}", std::pow(10.0, static_cast<double>(exponent - 3 * thousands)),
+      kUnits[static_cast<std::size_t>(thousands + 1)]);
 }
 
 /// What distinguishes a method within its family: "1024".
@@ -221,7 +222,6 @@ std::string Legend(double left, const std::vector<std::string>& families) {
 std::string ErrorChart(const std::vector<Measurement>& measurements,
                        const std::vector<std::string>& scenes) {
   const std::vector<Measurement> shown = Shown(measurements, scenes);
-  if (shown.empty()) return "";
   Axis x;
   Axis y;
   for (const Measurement& m : shown) {

@@ -12,7 +12,7 @@ namespace truelux::bench {
 
 /// A self-contained SVG: one panel per scene, both axes logarithmic, one
 /// series per family of methods; errors of 0 and scenes without measurements
-/// are left out. "" if nothing is left.
+/// are left out. Requires that some are left.
 std::string ErrorChart(const std::vector<Measurement>& measurements,
                        const std::vector<std::string>& scenes);
 

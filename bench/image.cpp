@@ -1,6 +1,7 @@
 #include "image.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -55,22 +56,23 @@ Kinds Classify(const std::vector<Receiver>& receivers,
   return kinds;
 }
 
-/// Processor time of the whole call [s].
+/// Processor time of the whole call [s], the median of a few.
 double SecondsFor(const Oracle& oracle, std::span<const Receiver> receivers) {
-  const double begin = ThreadSeconds();
-  const auto results = oracle.Evaluate(receivers);
-  return ThreadSeconds() - begin;
+  std::array<double, 3> seconds{};
+  for (double& s : seconds) {
+    const double begin = ThreadSeconds();
+    const auto results = oracle.Evaluate(receivers);
+    s = ThreadSeconds() - begin;
+  }
+  return Median({seconds.begin(), seconds.end()});
 }
 
 void PrintKind(const char* name, const Oracle& oracle,
-               const std::vector<Receiver>& receivers, int rounds) {
+               const std::vector<Receiver>& receivers) {
   if (receivers.empty()) return;
-  std::vector<double> seconds;
-  for (int round = 0; round < rounds; ++round)
-    seconds.push_back(SecondsFor(oracle, receivers));
   const auto count = static_cast<double>(receivers.size());
   fmt::print("{:<24} {:>9} {:>14.4g}\n", name, receivers.size(),
-             1e6 * Median(seconds) / count);
+             1e6 * SecondsFor(oracle, receivers) / count);
   std::fflush(stdout);
 }
 
@@ -144,21 +146,18 @@ std::vector<BarRow> MeasureGrid(const Options& options) {
   const Oracle oracle(grid.scene);
   Announce(name);
   const Kinds kinds = Classify(grid.receivers, oracle.Evaluate(grid.receivers));
-  constexpr int kRounds = 3;
-  std::vector<double> seconds;
-  for (int round = 0; round < kRounds; ++round)
-    seconds.push_back(SecondsFor(oracle, grid.receivers));
+  const double seconds = SecondsFor(oracle, grid.receivers);
   Announce("");
   fmt::print("\n{}: {} triangles, certified, one thread: {:.3g} s\n", name,
-             grid.scene.triangles().size(), Median(seconds));
+             grid.scene.triangles().size(), seconds);
   fmt::print("{:<24} {:>9} {:>14}\n", "kind", "receivers", "us/receiver");
-  PrintKind("lit", oracle, kinds.lit, kRounds);
-  PrintKind("penumbra", oracle, kinds.penumbra, kRounds);
-  PrintKind("umbra", oracle, kinds.umbra, kRounds);
+  PrintKind("lit", oracle, kinds.lit);
+  PrintKind("penumbra", oracle, kinds.penumbra);
+  PrintKind("umbra", oracle, kinds.umbra);
 
   const double scale = static_cast<double>(kFullSide) / side;
   BarRow row{fmt::format("grid_{0}x{0}: seconds on one thread", kFullSide),
-             Median(seconds) * scale * scale,
+             seconds * scale * scale,
              10,
              {},
              ""};

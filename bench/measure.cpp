@@ -139,6 +139,7 @@ std::vector<Measurement> Measure(const std::vector<Task>& tasks,
   }
   Announce("");
   std::vector<Measurement> results;
+  results.reserve(entries.size());
   for (Entry& entry : entries)
     results.push_back(std::move(entry.result));
   return results;

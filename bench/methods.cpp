@@ -12,7 +12,7 @@ namespace {
 /// So many receivers in a row do not share their samples.
 constexpr std::size_t kSampleSets = 4;
 
-Contender OracleMethod(const BenchScene& scene, std::string name,
+Contender OracleMethod(const BenchScene& scene, const std::string& name,
                        const OracleOptions& options) {
   const auto oracle = std::make_shared<const Oracle>(scene.scene, options);
   const auto run = [oracle](std::span<const Receiver> receivers) {

@@ -30,7 +30,7 @@ std::int64_t CountOf(const benchmark::State& state, const BenchScene& scene) {
 void TimeOracle(benchmark::State& state, Method method) {
   const BenchScene slab = Slab(state);
   const Oracle oracle(slab.scene, {.method = method});
-  for (auto _ : state)
+  while (state.KeepRunning())
     benchmark::DoNotOptimize(oracle.Evaluate(slab.receivers));
   state.SetItemsProcessed(CountOf(state, slab));
 }
@@ -52,7 +52,7 @@ void TimeRecordedContours(benchmark::State& state, Method method) {
     queries.push_back({slab.scene, receiver, 0});
     contours.push_back(engine.Build(queries.back()));
   }
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     for (std::size_t i = 0; i < queries.size(); ++i) {
       benchmark::DoNotOptimize(
           EvaluateContour(queries[i], contours[i], {.method = method}));
@@ -73,7 +73,7 @@ void EvaluateContourDouble(benchmark::State& state) {
 void OracleConstruction(benchmark::State& state) {
   const BenchScene sphere =
       MakeSphere(static_cast<int>(state.range(0)), 1, kSeed);
-  for (auto _ : state)
+  while (state.KeepRunning())
     benchmark::DoNotOptimize(Oracle(sphere.scene));
   state.SetItemsProcessed(
       state.iterations() *

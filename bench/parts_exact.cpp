@@ -30,7 +30,7 @@ std::vector<DoubleDouble> Operands() {
 template <class Operation>
 void TimeOperation(benchmark::State& state, Operation operation) {
   const std::vector<DoubleDouble> numbers = Operands();
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     for (std::size_t i = 0; i + 1 < numbers.size(); ++i)
       benchmark::DoNotOptimize(operation(numbers[i], numbers[i + 1]));
   }

@@ -44,8 +44,7 @@ std::vector<Receiver> PenumbraReceivers(const Scene& scene,
 
 /// Appends the six sides of the box between two opposite corners, black,
 /// fronts outwards.
-void AppendBox(std::vector<TestFace>& faces, const Point3& low,
-               const Point3& high);
+void AppendBox(std::vector<TestFace>& faces, const Point3& a, const Point3& b);
 
 }  // namespace truelux::bench
 

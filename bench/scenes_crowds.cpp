@@ -45,6 +45,7 @@ std::vector<TestFace> SlabFaces(PortableRandom& random, int count) {
 std::vector<Receiver> ReceiversNearTheMiddle(PortableRandom& random, int count,
                                              double half) {
   std::vector<Receiver> receivers;
+  receivers.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     receivers.push_back(RandomReceiver(random, half));
   return receivers;

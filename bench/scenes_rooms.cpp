@@ -120,7 +120,8 @@ BenchScene MakeSphere(int n, int receivers, std::uint64_t seed) {
   const auto at = [&](int i, int j) -> Point3 {
     if (i == 0) return {0, 0, 1};
     if (i == n) return {0, 0, -1};
-    return ring_points[static_cast<std::size_t>((i - 1) * n + j % n)];
+    const std::ptrdiff_t ring = i - 1;
+    return ring_points[static_cast<std::size_t>(ring * n + j % n)];
   };
   std::vector<TestFace> faces = {
       {testing::Ceiling(-1.5, 1.5, -1.5, 1.5, 2.5), {17, 12, 4}}};

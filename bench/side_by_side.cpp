@@ -2,15 +2,15 @@
 // receiver on one thread, and error against the certified value.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <fmt/format.h>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "announce.h"
 #include "bar.h"
-#include "baselines/sampled.h"
 #include "chart.h"
 #include "cli/exit_status.h"
 #include "cli/interrupt.h"
@@ -61,7 +61,13 @@ void Append(std::vector<BarRow>& rows, const std::vector<BarRow>& more) {
   rows.insert(rows.end(), more.begin(), more.end());
 }
 
-void Run(const Options& options) {
+void Measure(const Options& options) {
+  const std::vector<std::string> drawn = {"slab_100", "slab_1000"};
+  const auto wanted = [&](const std::string& name) {
+    return options.Wants(name);
+  };
+  if (!options.svg.empty() && std::ranges::none_of(drawn, wanted))
+    throw UserError("--svg draws slab_100 and slab_1000, and --only has none");
   // Opened before the long work, so that a bad path is known at once.
   std::optional<OutputFile> csv;
   std::optional<OutputFile> svg;
@@ -77,37 +83,42 @@ void Run(const Options& options) {
     std::erase_if(rows, [](const BarRow& row) { return !row.measured; });
   PrintBar(rows);
   WriteWhole(csv, CsvText(measurements));
-  const std::string chart = ErrorChart(measurements, {"slab_100", "slab_1000"});
-  if (!options.svg.empty() && chart.empty())
-    throw UserError("nothing to draw: slab_100 and slab_1000 not measured");
-  WriteWhole(svg, chart);
+  WriteWhole(svg, ErrorChart(measurements, drawn));
+}
+
+ExitStatus Run(int argc, char** argv) {
+  Options options;
+  CLI::App app("truelux beside other ways to the same irradiance.",
+               "side_by_side");
+  AddOptions(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? ExitStatus::kDone : ExitStatus::kBadInput;
+  }
+  try {
+    Measure(options);
+    return ExitStatus::kDone;
+  } catch (const UserError& error) {
+    Print(error.diagnostics());
+    return ExitStatus::kBadInput;
+  } catch (const Interruption&) {
+    PrintLine("interrupted");
+    return ExitStatus::kInterrupted;
+  }
 }
 
 }  // namespace
 }  // namespace truelux::bench
 
 int main(int argc, char** argv) {
-  using truelux::ExitStatus;
   truelux::CatchSignals();
-  truelux::bench::Options options;
-  CLI::App app("truelux beside other ways to the same irradiance.",
-               "side_by_side");
-  truelux::bench::AddOptions(app, options);
   try {
-    app.parse(argc, argv);
-    truelux::bench::Run(options);
-    return static_cast<int>(ExitStatus::kDone);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? static_cast<int>(ExitStatus::kDone)
-                                : static_cast<int>(ExitStatus::kBadInput);
-  } catch (const truelux::UserError& error) {
-    truelux::Print(error.diagnostics());
-    return static_cast<int>(ExitStatus::kBadInput);
-  } catch (const truelux::Interruption&) {
-    truelux::PrintLine("interrupted");
-    return static_cast<int>(ExitStatus::kInterrupted);
+    return static_cast<int>(truelux::bench::Run(argc, argv));
   } catch (const std::exception& error) {
-    truelux::PrintLine(std::string("internal error: ") + error.what());
-    return static_cast<int>(ExitStatus::kInternalError);
+    std::fprintf(stderr, "internal error: %s\n", error.what());
+  } catch (...) {
+    std::fputs("internal error\n", stderr);
   }
+  return static_cast<int>(truelux::ExitStatus::kInternalError);
 }

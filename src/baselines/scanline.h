@@ -42,9 +42,9 @@ class ScanlineQuadrature {
   struct Source {
     int facet = 0;
     Rgb exitance{};
-    Vec3<double> u;
-    Vec3<double> v;
-    Vec3<double> n;
+    Vec3<double> u{};
+    Vec3<double> v{};
+    Vec3<double> n{};
     Point3 origin;
     std::vector<std::array<int, 2>> boundary;  ///< vertex indices
   };

@@ -1,5 +1,6 @@
 #include "baselines/sampled.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -24,10 +25,11 @@ using testing::MakeScene;
 constexpr SamplePattern kPatterns[] = {SamplePattern::kSobol,
                                        SamplePattern::kRowOrdered};
 
-/// Which of the n * n cells each point lies in.
+/// Which of columns * rows cells each point lies in.
 std::vector<std::pair<int, int>> Cells(const std::vector<SquarePoint>& points,
                                        int columns, int rows) {
   std::vector<std::pair<int, int>> cells;
+  cells.reserve(points.size());
   for (const SquarePoint& point : points) {
     cells.emplace_back(static_cast<int>(point[0] * columns),
                        static_cast<int>(point[1] * rows));
@@ -51,12 +53,13 @@ TEST(SquareSamples, SobolIsStratifiedInOblongCellsToo) {
 }
 
 TEST(SquareSamples, RowByRow) {
-  const auto cells =
-      Cells(SquareSamples(SamplePattern::kRowOrdered, 64, 1), 8, 8);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    EXPECT_EQ(cells[i].second, static_cast<int>(i) / 8);
-    EXPECT_EQ(cells[i].first, static_cast<int>(i) % 8);
+  std::vector<std::pair<int, int>> expected;
+  for (int row = 0; row < 8; ++row) {
+    for (int column = 0; column < 8; ++column)
+      expected.emplace_back(column, row);
   }
+  EXPECT_EQ(Cells(SquareSamples(SamplePattern::kRowOrdered, 64, 1), 8, 8),
+            expected);
   EXPECT_THROW(SquareSamples(SamplePattern::kRowOrdered, 65, 1),
                std::invalid_argument);
 }
@@ -69,15 +72,16 @@ TEST(EmitterSamples, InProportionToArea) {
       SampleEmitters(scene, SamplePattern::kSobol, 1024, 3);
   EXPECT_NEAR(samples.area, 5, 1e-12);
   ASSERT_EQ(samples.pieces.size(), 2U);
-  int on_triangle = 0;
-  for (const auto& point : samples.points) {
+  std::ptrdiff_t on_triangle = 0;
+  for (const auto& point : samples.points)
     on_triangle += point.piece;
-    EXPECT_FLOAT_EQ(point.position[2], 1);
-    if (point.piece == 1) {
-      EXPECT_LE((point.position[0] - 5) / 2 + point.position[1], 1.0001F);
-    }
-  }
-  EXPECT_NEAR(on_triangle, 1024 / 5, 2);
+  EXPECT_NEAR(static_cast<double>(on_triangle), 1024 / 5.0, 2);
+  EXPECT_TRUE(std::ranges::all_of(samples.points, [](const auto& point) {
+    const auto& [x, y, z] = point.position;
+    const bool inside =
+        point.piece == 0 ? x <= 2 && y <= 2 : (x - 5) / 2 + y <= 1.0001F;
+    return z == 1 && inside;
+  }));
 }
 
 /// How far the mean over independent sample sets is from the certified value,

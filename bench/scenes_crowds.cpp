@@ -66,7 +66,7 @@ BenchScene MakeSlab(int count, int receivers, std::uint64_t seed) {
 
 BenchScene MakeOutward(int count, int receivers, std::uint64_t seed) {
   // On a sunflower spiral the i-th point is sqrt(i) steps from the middle.
-  constexpr double kStep = 0.065;
+  constexpr double kStep = 0.069;
   const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
   PortableRandom random(seed);
   std::vector<TestFace> faces = {UnitLamp()};

@@ -93,7 +93,8 @@ TEST(Layering, PublicHeadersNeedOnlyTheStandardLibrary) {
 }
 
 TEST(Layering, FilesAreShortEnoughToRead) {
-  for (const char* folder : {"include", "src", "tests", "examples", "fuzz"}) {
+  for (const char* folder :
+       {"include", "src", "tests", "bench", "examples", "fuzz"}) {
     for (const Source& source : SourcesIn(folder)) {
       EXPECT_LE(source.lines.size(), kMaxLines) << source.path;
     }

@@ -1,0 +1,73 @@
+// Scenes to measure on. Each is made by a fixed recipe from a seed and is the
+// same on every machine, up to what libm's sine and cosine differ by.
+//
+// Unless a recipe says otherwise the source is the square |x|, |y| <= 1/2 at
+// z = 1 that emits downwards with M = 1 in all channels, and the receivers lie
+// on z = 0 and look up.
+
+#ifndef TRUELUX_BENCH_SCENES_H_
+#define TRUELUX_BENCH_SCENES_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "truelux/receiver.h"
+#include "truelux/scene.h"
+
+namespace truelux::bench {
+
+/// A scene with the receivers at which it is measured.
+struct BenchScene {
+  std::string name;
+  Scene scene;
+  std::vector<Receiver> receivers;
+};
+
+/// `count` equilateral triangles of circumradius
+/// min(0.28, sqrt(0.7 * 1.96 / (0.65 count))), turned at random, centres
+/// uniform in |x|, |y| <= 0.7, 0.2 <= z <= 0.8, kept if all vertices lie in
+/// 0.05 <= z <= 0.95; coordinates rounded to float. Receivers uniform in
+/// |x|, |y| <= 0.5, kept if between 5 % and 95 % of the source is visible.
+BenchScene MakeSlab(int count, int receivers, std::uint64_t seed);
+
+/// A room 5 by 4 by 2.6 with a table, chairs, shelves and a shaded lamp.
+/// Receivers on the floor and on the table.
+BenchScene MakeRoom(int receivers, std::uint64_t seed);
+
+/// The bumpy sphere of tools/make_sphere.py with 2 n (n - 1) triangles under a
+/// lamp. Receivers below it.
+BenchScene MakeSphere(int n, int receivers, std::uint64_t seed);
+
+/// `boxes` boxes between a lamp and a floor, side * side receivers in rows on
+/// the floor, as in an image.
+BenchScene MakeGrid(int boxes, int side, std::uint64_t seed);
+
+/// The lamp of a grid scene alone.
+Scene GridLamp();
+
+/// Triangles with corners at small integers, so that seen from the receivers,
+/// at integers too, many edges and vertices coincide exactly. one_ulp: every
+/// coordinate moved by -1, 0 or +1 unit in the last place. Receivers kept as
+/// for a slab.
+BenchScene MakeLattice(bool one_ulp, int receivers, std::uint64_t seed);
+
+/// `count` triangles spread from the middle outwards at constant density; some
+/// 24 of the first hundred overlap the source seen from a receiver.
+BenchScene MakeOutward(int count, int receivers, std::uint64_t seed);
+
+/// `count` triangles that all overlap the source, in general position.
+BenchScene MakeOverlapping(int count, int receivers, std::uint64_t seed);
+
+/// The source cut into `count` rectangles, with eight blockers. shared_edges:
+/// the rectangles are a mesh; otherwise there are gaps between them.
+BenchScene MakeLamps(int count, bool shared_edges, int receivers,
+                     std::uint64_t seed);
+
+/// A wavy surface of `triangles` triangles (an even number) with shared
+/// vertices, as the text of an OBJ file.
+std::string TerrainObj(int triangles);
+
+}  // namespace truelux::bench
+
+#endif  // TRUELUX_BENCH_SCENES_H_

@@ -1,0 +1,189 @@
+#include "suites.h"
+
+#include <cstddef>
+#include <fmt/format.h>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "announce.h"
+#include "methods.h"
+#include "scenes.h"
+#include "tables.h"
+
+namespace truelux::bench {
+namespace {
+
+/// Beyond this the arrangement engine takes too long to be waited for.
+constexpr std::size_t kArrangementTriangles = 300;
+
+/// How much is measured on a scene.
+struct Choice {
+  std::vector<int> samples;         ///< of shadow rays, in Sobol's order
+  std::vector<int> stream_samples;  ///< of shadow rays, in rows
+  std::vector<int> rows;            ///< of the scanline quadrature
+  bool arrangement = false;
+  bool polygon_set = false;
+};
+
+const std::vector<int> kAllSamples = {64, 256, 1024, 4096, 16384};
+
+const Choice kFull = {
+    kAllSamples, kAllSamples, {256, 2048, 32768}, true, false};
+const Choice kMedium = {
+    {256, 1024, 4096}, {1024, 4096}, {256, 2048}, true, false};
+const Choice kShort = {{1024}, {1024}, {}, false, false};
+const Choice kShortAndPolygonSet = {{1024}, {1024}, {2048}, false, true};
+
+/// A scene that is made only if it is wanted.
+struct Recipe {
+  std::string name;
+  std::function<BenchScene()> make;
+  const Choice* choice = nullptr;
+};
+
+/// Scenes whose methods take turns with each other.
+using Suite = std::vector<Recipe>;
+
+void AppendSampled(const BenchScene& scene, const Choice& choice,
+                   std::uint64_t seed, std::vector<Contender>& methods) {
+  if (!ShadowRaysAvailable()) return;
+  const auto rays = std::make_shared<const ShadowRays>(scene.scene);
+  for (const int count : choice.samples) {
+    methods.push_back(
+        SampledMethod(scene, rays, SamplePattern::kSobol, count, seed));
+  }
+  for (const int count : choice.stream_samples) {
+    methods.push_back(
+        SampledMethod(scene, rays, SamplePattern::kRowOrdered, count, seed));
+  }
+}
+
+Task MakeTask(const BenchScene& scene, const Choice& choice,
+              const Options& options) {
+  Task task{&scene, {CertifiedMethod(scene), DoubleMethod(scene)}};
+  if (auto unfiltered = UnfilteredMethod(scene))
+    task.methods.push_back(std::move(*unfiltered));
+  AppendSampled(scene, choice, options.seed, task.methods);
+  for (const int rows : choice.rows)
+    task.methods.push_back(ScanlineMethod(scene, rows));
+  if (choice.arrangement &&
+      scene.scene.triangles().size() <= kArrangementTriangles) {
+    task.methods.push_back(
+        ArrangementMethod(scene, options.Size<std::size_t>(1, 4)));
+  }
+  if (choice.polygon_set) task.methods.push_back(PolygonSetMethod(scene));
+  return task;
+}
+
+/// What the table of a scene does not say by itself.
+std::vector<std::string> Remarks(const BenchScene& scene,
+                                 const Choice& choice) {
+  std::vector<std::string> remarks;
+  if (choice.arrangement &&
+      scene.scene.triangles().size() > kArrangementTriangles) {
+    remarks.push_back(
+        fmt::format("arrangement engine: left out, more than {} triangles",
+                    kArrangementTriangles));
+  }
+  if (!ShadowRaysAvailable())
+    remarks.emplace_back("Embree: left out, not found when this was built");
+  return remarks;
+}
+
+Recipe LampsRecipe(int count, bool shared_edges, const Options& options) {
+  return {fmt::format("{}_lamps_{}", shared_edges ? "mesh" : "separate", count),
+          [=] {
+            return MakeLamps(count, shared_edges, options.Size(4, 20),
+                             options.seed);
+          },
+          &kShort};
+}
+
+std::vector<Suite> AllSuites(const Options& options) {
+  const std::uint64_t seed = options.seed;
+  std::vector<Suite> suites;
+  Suite slabs;
+  for (const int count : {10, 100, 1000}) {
+    slabs.push_back(
+        {fmt::format("slab_{}", count),
+         [=] { return MakeSlab(count, options.Size(20, 200), seed); }, &kFull});
+  }
+  suites.push_back(slabs);
+  suites.push_back(
+      {{"room", [=] { return MakeRoom(options.Size(20, 200), seed); },
+        &kFull}});
+  suites.push_back(
+      {{"lattice",
+        [=] { return MakeLattice(false, options.Size(10, 40), seed); }, &kFull},
+       {"one_ulp",
+        [=] { return MakeLattice(true, options.Size(10, 40), seed); },
+        &kFull}});
+  suites.push_back(
+      {{"sphere_3120",
+        [=] { return MakeSphere(40, options.Size(5, 25), seed); }, &kMedium}});
+  suites.push_back(
+      {{"sphere_69564",
+        [=] { return MakeSphere(187, options.Size(2, 10), seed); }, &kMedium}});
+  Suite outward;
+  for (const int count : {1, 10, 100, 1000, 10000, 100000, 1000000}) {
+    outward.push_back(
+        {fmt::format("outward_{}", count),
+         [=] { return MakeOutward(count, options.Size(4, 20), seed); },
+         &kShort});
+  }
+  suites.push_back(outward);
+  Suite overlapping;
+  for (const int count : {1, 10, 100, 1000}) {
+    overlapping.push_back(
+        {fmt::format("overlapping_{}", count),
+         [=] { return MakeOverlapping(count, options.Size(2, 10), seed); },
+         &kShortAndPolygonSet});
+  }
+  suites.push_back(overlapping);
+  Suite lamps;
+  for (const int count : {1, 10, 100, 1000}) {
+    lamps.push_back(LampsRecipe(count, false, options));
+    lamps.push_back(LampsRecipe(count, true, options));
+  }
+  suites.push_back(lamps);
+  return suites;
+}
+
+void Run(const Suite& suite, const Options& options,
+         std::vector<Measurement>& all) {
+  std::vector<BenchScene> scenes;
+  std::vector<const Choice*> choices;
+  for (const Recipe& recipe : suite) {
+    if (!options.Wants(recipe.name)) continue;
+    Announce("making " + recipe.name);
+    scenes.push_back(recipe.make());
+    choices.push_back(recipe.choice);
+  }
+  std::vector<Task> tasks;
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    tasks.push_back(MakeTask(scenes[i], *choices[i], options));
+  const Limits limits{options.Size(3, 7), options.Size(4.0, 120.0)};
+  const std::vector<Measurement> measured = Measure(tasks, limits);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    std::vector<Measurement> of_scene;
+    for (const Measurement& m : measured) {
+      if (m.scene == scenes[i].name) of_scene.push_back(m);
+    }
+    PrintScene(scenes[i], of_scene, Remarks(scenes[i], *choices[i]));
+    all.insert(all.end(), of_scene.begin(), of_scene.end());
+  }
+}
+
+}  // namespace
+
+std::vector<Measurement> RunSuites(const Options& options) {
+  std::vector<Measurement> all;
+  for (const Suite& suite : AllSuites(options))
+    Run(suite, options, all);
+  return all;
+}
+
+}  // namespace truelux::bench

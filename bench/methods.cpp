@@ -5,6 +5,8 @@
 
 #include "baselines/scanline.h"
 #include "polygon_set.h"
+#include "radiometry/evaluate.h"
+#include "visibility/contour_engine.h"
 
 namespace truelux::bench {
 namespace {
@@ -48,10 +50,31 @@ Contender DoubleMethod(const BenchScene& scene) {
   return OracleMethod(scene, kDoubleName, {.method = Method::kDouble});
 }
 
-std::optional<Contender> UnfilteredMethod(const BenchScene& /*scene*/) {
-  // The engine decides everything exactly and has no such mode yet; when it
-  // has one, this is the only place to change.
-  return std::nullopt;
+Contender UnfilteredMethod(const BenchScene& scene) {
+  /// What one thread needs.
+  struct State {
+    explicit State(const Scene& s) : engine(s), builder(engine) {}
+
+    ContourEngine engine;
+    UnfilteredContourBuilder builder;
+    Contour contour;
+  };
+
+  const auto state = std::make_shared<State>(scene.scene);
+  const auto run = [state](std::span<const Receiver> receivers) {
+    std::vector<Irradiance> results;
+    results.reserve(receivers.size());
+    ContourQuery query{state->engine.scene(), {}, 0};
+    state->builder.StartBlock({});
+    for (const Receiver& receiver : receivers) {
+      query.receiver = receiver;
+      state->builder.Build(query, state->contour);
+      results.push_back(EvaluateContour(query, state->contour,
+                                        {.method = Method::kDouble}));
+    }
+    return results;
+  };
+  return {kUnfilteredName, kUnfilteredName, run};
 }
 
 Contender ArrangementMethod(const BenchScene& scene,

@@ -19,14 +19,9 @@ constexpr std::size_t kMaxPoints = 16;
 using Four [[gnu::vector_size(32)]] = double;
 using FourFlags [[gnu::vector_size(32)]] = std::int64_t;
 
-Four Load(const FourBoxes& boxes, std::size_t row) {
-  Four four;
+// By reference: without AVX a value of this type is no usual argument.
+void Load(const FourBoxes& boxes, std::size_t row, Four& four) {
   std::memcpy(&four, &boxes.rows[row], sizeof four);
-  return four;
-}
-
-Four AllEqual(double x) {
-  return Four{x, x, x, x};
 }
 
 Vector ToVector(const std::array<double, 3>& p) {
@@ -239,15 +234,20 @@ void Shaft::AddHorizon(const Box& receivers, const Vector& normal) {
 
 unsigned Shaft::Kept(const FourBoxes& boxes) const {
   FourFlags outside{0, 0, 0, 0};
+  Four x;
+  Four y;
+  Four z;
   for (std::size_t k = 0; k < 3; ++k) {
-    outside |= Load(boxes, k) > AllEqual(box_.hi[k]);
-    outside |= Load(boxes, k + 3) < AllEqual(box_.lo[k]);
+    Load(boxes, k, x);
+    outside |= x > box_.hi[k];
+    Load(boxes, k + 3, x);
+    outside |= x < box_.lo[k];
   }
   for (const HalfSpace& h : std::span(half_spaces_.data(), count_)) {
-    const Four depth = AllEqual(h.normal.x) * Load(boxes, h.rows[0]) +
-                       AllEqual(h.normal.y) * Load(boxes, h.rows[1]) +
-                       AllEqual(h.normal.z) * Load(boxes, h.rows[2]);
-    outside |= depth < AllEqual(h.least);
+    Load(boxes, h.rows[0], x);
+    Load(boxes, h.rows[1], y);
+    Load(boxes, h.rows[2], z);
+    outside |= h.normal.x * x + h.normal.y * y + h.normal.z * z < h.least;
   }
   unsigned kept = 0;
   for (unsigned i = 0; i < 4; ++i)

@@ -27,6 +27,10 @@ constexpr std::size_t kMaxAreaLevels = 48;
 
 constexpr std::size_t kBinCount = 16;
 
+// A cut is not made finer than this: where a block keeps much, each of its
+// receivers does better to find its way down the tree than to try all parts.
+constexpr std::size_t kEnoughParts = 256;
+
 /// A number of bins along one axis.
 struct Binning {
   std::size_t axis = 0;
@@ -247,31 +251,35 @@ TriangleTree::TriangleTree(std::span<const Point3> vertices,
 
 void TriangleTree::Narrow(const Shaft& block, TreeCut& cut) const {
   cut.parts_.clear();
-  if (!nodes_.empty()) NarrowBelow(block, 0, cut);
+  if (!nodes_.empty()) cut.parts_.push_back({0, true});
+  // Level by level. Parts in the place of their node keep the order of a
+  // visit: the node's own triangles, then its child nodes.
+  bool refined = true;
+  while (refined && cut.parts_.size() < kEnoughParts) {
+    refined = false;
+    cut.next_.clear();
+    for (const TreeCut::Part& part : cut.parts_) {
+      if (part.whole) {
+        Refine(block, part.node, cut.next_);
+        refined = true;
+      } else {
+        cut.next_.push_back(part);
+      }
+    }
+    cut.parts_.swap(cut.next_);
+  }
 }
 
-/// Appends what is kept of a node and below; as one part, and true, if that is
-/// all of it.
-bool TriangleTree::NarrowBelow(const Shaft& block, std::int32_t index,
-                               TreeCut& cut) const {
+/// Appends what the shaft keeps of a node's children.
+void TriangleTree::Refine(const Shaft& block, std::int32_t index,
+                          std::vector<TreeCut::Part>& parts) const {
   const Node& node = At(index);
   const std::uint32_t kept = block.Kept(node.boxes);
-  const std::size_t before = cut.parts_.size();
-  if ((kept & node.leaves) != 0) cut.parts_.push_back({index, false});
-  bool whole = true;
+  if ((kept & node.leaves) != 0) parts.push_back({index, false});
   for (std::size_t i = 0; i < 4; ++i) {
-    if (node.children[i] == 0) continue;
-    const bool is_kept = (kept >> i & 1U) != 0;
-    const bool is_node = (node.leaves >> i & 1U) == 0;
-    const bool is_whole =
-        is_kept && (!is_node || NarrowBelow(block, node.children[i], cut));
-    whole = whole && is_whole;
+    if (((kept & ~node.leaves) >> i & 1U) != 0)
+      parts.push_back({node.children[i], true});
   }
-  if (whole) {
-    cut.parts_.resize(before);
-    cut.parts_.push_back({index, true});
-  }
-  return whole;
 }
 
 }  // namespace truelux

@@ -35,6 +35,7 @@ class TreeCut {
   };
 
   std::vector<Part> parts_;  ///< in visiting order
+  std::vector<Part> next_;   ///< only while it is made
 };
 
 /// A bounding volume hierarchy whose nodes have up to four children, each a
@@ -71,8 +72,8 @@ class TriangleTree {
   template <class Function>
   void Visit(const Shaft& shaft, const TreeCut& cut, Function&& visit) const;
 
-  /// Replaces the cut by the parts of the tree that the shaft of a block of
-  /// receivers keeps. Requires RoundUpward.
+  /// Replaces the cut by parts of the tree that hold all triangles that the
+  /// shaft of a block of receivers keeps. Requires RoundUpward.
   void Narrow(const Shaft& block, TreeCut& cut) const;
 
  private:
@@ -95,7 +96,8 @@ class TriangleTree {
   template <class Function>
   static void VisitTriangles(const Node& node, std::uint32_t kept,
                              Function& visit);
-  bool NarrowBelow(const Shaft& block, std::int32_t index, TreeCut& cut) const;
+  void Refine(const Shaft& block, std::int32_t index,
+              std::vector<TreeCut::Part>& parts) const;
 
   [[nodiscard]] const Node& At(std::int32_t node) const {
     return nodes_[static_cast<std::size_t>(node)];

@@ -82,6 +82,11 @@ bool KeepsAll(const Shaft& shaft, const std::vector<Point3>& points) {
       points, [&](const Point3& p) { return shaft.Keeps(Box::Of(p)); });
 }
 
+bool KeepsAny(const Shaft& shaft, const std::vector<Point3>& points) {
+  return std::ranges::any_of(
+      points, [&](const Point3& p) { return shaft.Keeps(Box::Of(p)); });
+}
+
 /// Whether it keeps the points and those half way between two of them.
 bool KeepsHullOf(const std::vector<Point3>& points, const Shaft& shaft) {
   return KeepsAll(shaft, points) &&
@@ -172,17 +177,22 @@ TEST_P(ShaftAtScale, IsTight) {
   const RoundUpward rounding;
   const Shaft shaft(Lamp(size).ForShafts(), Box::Of({0, 0, 0}),
                     Vector3{0, 0, 1});
-  const auto keeps = [&](double x, double y, double z) {
-    return shaft.Keeps(Box::Of({x * size, y * size, z * size}));
+  const auto all = [size](std::vector<Point3> points) {
+    for (Point3& p : points)
+      p = {p.x * size, p.y * size, p.z * size};
+    return points;
   };
   // The sides are the planes |x| = z / 4 and |y| = z / 4.
-  for (const double sign : {-1.0, 1.0}) {
-    EXPECT_TRUE(keeps(sign * 0.49999, 0, 2));
-    EXPECT_TRUE(keeps(0, sign * 0.49999, 2));
-    EXPECT_FALSE(keeps(sign * 0.50001, 0, 2));
-    EXPECT_FALSE(keeps(0, sign * 0.50001, 2));
-  }
-  EXPECT_FALSE(keeps(0, 0, -0.00001) || keeps(0, 0, 4.00001));
+  EXPECT_TRUE(KeepsAll(shaft, all({{0.49999, 0, 2},
+                                   {-0.49999, 0, 2},
+                                   {0, 0.49999, 2},
+                                   {0, -0.49999, 2}})));
+  EXPECT_FALSE(KeepsAny(shaft, all({{0.50001, 0, 2},
+                                    {-0.50001, 0, 2},
+                                    {0, 0.50001, 2},
+                                    {0, -0.50001, 2},
+                                    {0, 0, -0.00001},
+                                    {0, 0, 4.00001}})));
 }
 
 TEST(Shaft, LeavesOutWhatIsBehindASlantedSource) {

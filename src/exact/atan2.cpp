@@ -40,7 +40,7 @@ double AtanOfQuotient(double a, double b) {
   return entry.high + (t + (cubic + entry.low));
 }
 
-/// Step Q: (a - tangent b) / (b + tangent a), tangent that of the nearest
+/// Step R: (a - tangent b) / (b + tangent a), tangent that of the nearest
 /// entry; high + low, not normalised.
 DoubleDouble TangentOfRest(const DoubleDouble& a, const DoubleDouble& b,
                            double tangent) {
@@ -58,22 +58,21 @@ DoubleDouble TangentOfRest(const DoubleDouble& a, const DoubleDouble& b,
   return {quotient, rest * inverse};
 }
 
-/// a b as high + low, for a factor that need not be accurate to the last
-/// bits: error <= 8 u^2 |a b|.
+/// a b as high + low, for factors that need not be normalised: error below
+/// 100 u^2 |a b| if their low parts are below 5 u of their high parts.
 DoubleDouble RoughProduct(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble product = TwoProduct(a.high, b.high);
   return {product.high, LowOfProduct(a, b, product.low)};
 }
 
-/// a + b as high + low, |a.high| >= |b.high|: error <= 3 u (|a.low| + |b.low|
-/// + u |a + b|).
+/// a + b as high + low, |a.high| >= |b.high|: rounds the low parts' sum only.
 DoubleDouble RoughSum(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble sum = FastTwoSum(a.high, b.high);
   return {sum.high, sum.low + (a.low + b.low)};
 }
 
-/// Step T: atan t - t for |t| <= 2^-9 (1 + 2^-40), high + low. Error <= 0.3
-/// u^2 |t|.
+/// Step T: atan t - t for |t| <= 2^-9 (1 + 2^-40), high + low. Error <= u^2
+/// |t|.
 DoubleDouble AtanTail(const DoubleDouble& t) {
   const DoubleDouble z = RoughProduct(t, t);
   const double tail =
@@ -83,7 +82,7 @@ DoubleDouble AtanTail(const DoubleDouble& t) {
   return RoughProduct(t, RoughProduct(z, third));
 }
 
-/// Step A: atan(a / b), 0 <= a.high <= b.high, b > 0. Error <= 29 u^2
+/// Step A: atan(a / b), 0 <= a.high <= b.high, b > 0. Error <= 74 u^2
 /// (relative).
 DoubleDouble AtanOfQuotient(const DoubleDouble& a, const DoubleDouble& b) {
   const std::size_t j = NearestEntry(a.high, b.high);

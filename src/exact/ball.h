@@ -123,24 +123,24 @@ Ball<T> Unbounded() {
 }
 
 template <class T>
-Ball<T> operator-(const Ball<T>& x) {
+inline Ball<T> operator-(const Ball<T>& x) {
   return {-x.value, x.error};
 }
 
 template <class T>
-Ball<T> operator+(const Ball<T>& x, const Ball<T>& y) {
+inline Ball<T> operator+(const Ball<T>& x, const Ball<T>& y) {
   const T sum = x.value + y.value;
   return {sum, RoundBoundUp(x.error + y.error +
                             RoundingError<T>::kSum * Magnitude(sum))};
 }
 
 template <class T>
-Ball<T> operator-(const Ball<T>& x, const Ball<T>& y) {
+inline Ball<T> operator-(const Ball<T>& x, const Ball<T>& y) {
   return x + -y;
 }
 
 template <class T>
-Ball<T> operator*(const Ball<T>& x, const Ball<T>& y) {
+inline Ball<T> operator*(const Ball<T>& x, const Ball<T>& y) {
   const T product = x.value * y.value;
   return {product,
           RoundBoundUp(x.error * (Magnitude(y.value) + y.error) +
@@ -150,7 +150,7 @@ Ball<T> operator*(const Ball<T>& x, const Ball<T>& y) {
 
 /// x / y; unbounded if y may be 0 or is out of the safe range.
 template <class T>
-Ball<T> operator/(const Ball<T>& x, const Ball<T>& y) {
+inline Ball<T> operator/(const Ball<T>& x, const Ball<T>& y) {
   const double least = LowerMagnitude(y.value) - y.error;
   if (!(least > 0x1p-900) || !InSafeRange(Magnitude(y.value))) {
     return Unbounded<T>();
@@ -166,7 +166,7 @@ Ball<T> operator/(const Ball<T>& x, const Ball<T>& y) {
 /// The same number, known not to be negative: 0 is then nearer than a negative
 /// value. The result is never -0, which atan2 takes for the other side.
 template <class T>
-Ball<T> ClampToNonNegative(const Ball<T>& x) {
+inline Ball<T> ClampToNonNegative(const Ball<T>& x) {
   return {Leading(x.value) > 0 ? x.value : T{}, x.error};
 }
 
@@ -205,7 +205,7 @@ inline DoubleDouble TimesSign(const DoubleDouble& x, double sign) {
 }
 
 template <class T>
-Ball<T> TimesSign(const Ball<T>& x, double sign) {
+inline Ball<T> TimesSign(const Ball<T>& x, double sign) {
   return {TimesSign(x.value, sign), x.error};
 }
 

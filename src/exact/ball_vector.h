@@ -36,7 +36,7 @@ struct BallVector {
 /// |v| for BallVector::length; what is below 2^-450 counts as that, so that no
 /// square that underflows is missed.
 template <class T>
-double LengthOf(const Components<T>& v) {
+inline double LengthOf(const Components<T>& v) {
   const double x = Leading(v[0]);
   const double y = Leading(v[1]);
   const double z = Leading(v[2]);
@@ -89,14 +89,14 @@ BallVector<T> operator-(const BallVector<T>& v) {
 /// What the errors of a and b can change any bilinear product of both, a.b or
 /// a x b: |a - a'| |b'| + |a| |b - b'|.
 template <class T>
-double ErrorOfOperands(const BallVector<T>& a, const BallVector<T>& b) {
+inline double ErrorOfOperands(const BallVector<T>& a, const BallVector<T>& b) {
   return a.error * (b.length + b.error) + a.length * b.error;
 }
 
 /// Component k of a x b, without its bound.
 template <class T>
-T CrossComponent(const Components<T>& a, const Components<T>& b,
-                 std::size_t k) {
+inline T CrossComponent(const Components<T>& a, const Components<T>& b,
+                        std::size_t k) {
   const std::size_t i = k == 2 ? 0 : k + 1;
   const std::size_t j = k == 0 ? 2 : k - 1;
   return SumOfProducts(a[i], b[j], -a[j], b[i]);
@@ -104,14 +104,15 @@ T CrossComponent(const Components<T>& a, const Components<T>& b,
 
 /// a x b, without its bound.
 template <class T>
-Components<T> CrossValue(const Components<T>& a, const Components<T>& b) {
+inline Components<T> CrossValue(const Components<T>& a,
+                                const Components<T>& b) {
   return {CrossComponent(a, b, 0), CrossComponent(a, b, 1),
           CrossComponent(a, b, 2)};
 }
 
 /// Bound on the error of CrossValue, and so of each component.
 template <class T>
-double ErrorOfCross(const BallVector<T>& a, const BallVector<T>& b) {
+inline double ErrorOfCross(const BallVector<T>& a, const BallVector<T>& b) {
   return RoundBoundUp(ErrorOfOperands(a, b) +
                       RoundingError<T>::kCross * (a.length * b.length));
 }
@@ -124,19 +125,19 @@ BallVector<T> Cross(const BallVector<T>& a, const BallVector<T>& b) {
 
 /// Component k of a x b.
 template <class T>
-Ball<T> CrossComponent(const BallVector<T>& a, const BallVector<T>& b,
-                       std::size_t k) {
+inline Ball<T> CrossComponent(const BallVector<T>& a, const BallVector<T>& b,
+                              std::size_t k) {
   return {CrossComponent(a.value, b.value, k), ErrorOfCross(a, b)};
 }
 
 /// a.b, without its bound.
 template <class T>
-T DotValue(const Components<T>& a, const Components<T>& b) {
+inline T DotValue(const Components<T>& a, const Components<T>& b) {
   return SumOfProducts(a[0], b[0], a[1], b[1], a[2], b[2]);
 }
 
 template <class T>
-Ball<T> Dot(const BallVector<T>& a, const BallVector<T>& b) {
+inline Ball<T> Dot(const BallVector<T>& a, const BallVector<T>& b) {
   return {DotValue(a.value, b.value),
           RoundBoundUp(ErrorOfOperands(a, b) +
                        RoundingError<T>::kDot3 * (a.length * b.length))};
@@ -145,7 +146,7 @@ Ball<T> Dot(const BallVector<T>& a, const BallVector<T>& b) {
 /// |v|, of a size at which squares neither under- nor overflow. The root
 /// halves the relative error of the sum of squares.
 template <class T>
-Ball<T> Length(const BallVector<T>& v) {
+inline Ball<T> Length(const BallVector<T>& v) {
   return {Sqrt(DotValue(v.value, v.value)),
           RoundBoundUp(v.error +
                        (RoundingError<T>::kDot3 / 2 + RoundingError<T>::kRoot) *
@@ -154,7 +155,7 @@ Ball<T> Length(const BallVector<T>& v) {
 
 /// The largest magnitude of a component. A NaN may be overlooked.
 template <class T>
-double SizeOf(const Components<T>& v) {
+inline double SizeOf(const Components<T>& v) {
   return std::max({Magnitude(v[0]), Magnitude(v[1]), Magnitude(v[2])});
 }
 

@@ -86,6 +86,7 @@ inline DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
 
 /// Error <= 11 u^2 (relative; [JMP] Algorithm 17 with the last correction in
 /// one step; docs/errors.md section 3). Requires 2^-900 <= |y| <= 2^900.
+/// Underflow costs at most 2^-1070 / |y| besides.
 inline DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
   const double quotient = x.high / y.high;
   const double rest =

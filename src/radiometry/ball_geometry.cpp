@@ -141,7 +141,7 @@ void BallGeometry<T>::EvaluateDirection(const WeightedContour& contour,
   if (recipe.kind == DirectionRecipe::Kind::kCrossing) {
     // From the scaled planes: of degree 2 in numbers near 1, not of degree 4
     // in the coordinates. A good one need not be scaled: its length is at most
-    // 12, and not below 2^-21, as its error is at least 2^-53 (2^-104 in
+    // 12, and not below 2^-22, as its error is at least 2^-54 (2^-105 in
     // double-double).
     BallVector<T>& crossing = direction.vector;
     const BallVector<T>& a =

@@ -27,7 +27,7 @@ struct BallPlane {
 /// A direction from r.
 template <class T>
 struct BallDirection {
-  ScaledVector<T> scaled;  ///< d, of a length in [2^-21, 16]
+  ScaledVector<T> scaled;  ///< d, of a length in [2^-22, 12]
   int vertex = -1;         ///< the scene vertex that it is; -1: none
 };
 

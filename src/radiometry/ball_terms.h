@@ -13,8 +13,8 @@ namespace truelux {
 
 /// Whether an arc of this plane from d1 to d2 is a whole scene edge.
 template <class T>
-bool IsWholeEdge(const BallPlane<T>& plane, const BallDirection<T>& d1,
-                 const BallDirection<T>& d2) {
+inline bool IsWholeEdge(const BallPlane<T>& plane, const BallDirection<T>& d1,
+                        const BallDirection<T>& d2) {
   if (d1.vertex < 0 || d2.vertex < 0) return false;
   return (d1.vertex == plane.first_vertex && d2.vertex == plane.last_vertex) ||
          (d1.vertex == plane.last_vertex && d2.vertex == plane.first_vertex);
@@ -23,8 +23,9 @@ bool IsWholeEdge(const BallPlane<T>& plane, const BallDirection<T>& d1,
 /// |d1 x d2| |N_k| / |N| for the plane's axis k: as d1 x d2 is a multiple of
 /// N, that is its component k, and with the visible side >= 0.
 template <class T>
-Ball<T> CrossAlongAxis(const BallPlane<T>& plane, const BallDirection<T>& d1,
-                       const BallDirection<T>& d2, bool positive) {
+inline Ball<T> CrossAlongAxis(const BallPlane<T>& plane,
+                              const BallDirection<T>& d1,
+                              const BallDirection<T>& d2, bool positive) {
   if (IsWholeEdge(plane, d1, d2)) {
     // (a - r) x (b - r) = (a - r) x (b - a) = +-N, which has a short edge's
     // relative accuracy; undo the three scalings.
@@ -43,8 +44,8 @@ Ball<T> CrossAlongAxis(const BallPlane<T>& plane, const BallDirection<T>& d1,
 /// Adds the angle of an arc, beta = atan2(|d1 x d2|, d1.d2), both operands
 /// times |N_k|; subtracts it if the visible side is not that of N.
 template <class T>
-void AddAngle(const BallGeometry<T>& geometry, const BallPlane<T>& plane,
-              const Arc& arc, AngleSum<T>& sum) {
+inline void AddAngle(const BallGeometry<T>& geometry, const BallPlane<T>& plane,
+                     const Arc& arc, AngleSum<T>& sum) {
   const BallDirection<T>& d1 = geometry.Direction(arc.from);
   const BallDirection<T>& d2 = geometry.Direction(arc.to);
   const Ball<T> along = Dot(d1.scaled.vector, d2.scaled.vector);

@@ -62,7 +62,9 @@ TEST(Atan2OfDoubleDouble, StaysWithinItsProvenConstant) {
   }
   RecordProperty("worst_u2", std::to_string(worst));
   EXPECT_LE(worst, kAtan2Error);
-  EXPECT_GT(worst, 1.0);
+  // What docs/errors.md states as measured.
+  EXPECT_LE(worst, 12.5);
+  EXPECT_GT(worst, 10);
 }
 
 TEST(Atan2OfDoubleDouble, HitsTheAxesAndDiagonals) {
@@ -94,6 +96,8 @@ TEST(Atan2OfDouble, StaysWithinItsProvenConstant) {
   }
   RecordProperty("worst_u", std::to_string(worst));
   EXPECT_LE(worst, kAtan2ErrorOfDouble);
+  // What docs/errors.md states as measured.
+  EXPECT_LE(worst, 3.0);
   EXPECT_GT(worst, 2.0);
 }
 

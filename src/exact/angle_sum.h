@@ -99,7 +99,6 @@ class AngleSum {
       next = TimesSign(across, sign);
       across = TimesSign(old, -sign);
       quarter_turns_ += sign;
-      reach_ = 0.5;
     }
     const double size = Leading(next);
     if (size < 0x1p-100 || size > 0x1p100) {
@@ -109,6 +108,7 @@ class AngleSum {
     }
     real_ = next;
     imaginary_ = across;
+    reach_ = std::min(reach_, 0.5);
   }
 
   // The product, |imaginary_| <= real_ up to a factor 1 + 2 u, is i to the

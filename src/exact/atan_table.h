@@ -9,9 +9,9 @@
 
 namespace truelux {
 
-constexpr int kAtanTableSteps = 128;
+constexpr int kAtanTableSteps = 256;
 
-/// Entry j is atan(j / 128) as the nearest double and the nearest double of
+/// Entry j is atan(j / 256) as the nearest double and the nearest double of
 /// what is left; error <= u^2 (relative). A test derives every entry again
 /// with MPFR.
 extern const std::array<DoubleDouble, kAtanTableSteps + 1> kAtanTable;

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/atan2.h"
 #include "exact/double_double.h"
 
 namespace truelux {
@@ -22,15 +23,18 @@ namespace truelux {
 template <class T>
 struct RoundingError;
 
-/// Half an ulp; atan2 is taken to be within one ulp, 2 u (a test holds the C
-/// library to it).
+/// Half an ulp for each rounding; kDot2 and kDot3 are relative to the sum of
+/// the magnitudes of the products.
 template <>
 struct RoundingError<double> {
-  static constexpr double kSum = kUnit;
-  static constexpr double kProduct = kUnit;
-  static constexpr double kQuotient = kUnit;
-  static constexpr double kRoot = kUnit;
-  static constexpr double kAtan2 = 2 * kUnit;
+  static constexpr double kSum = kUnitRoundoff;
+  static constexpr double kProduct = kUnitRoundoff;
+  static constexpr double kQuotient = kUnitRoundoff;
+  static constexpr double kRoot = kUnitRoundoff;
+  static constexpr double kDot2 = 2.01 * kUnitRoundoff;
+  static constexpr double kDot3 = 3.01 * kUnitRoundoff;
+  static constexpr double kCross = 2.01 * kUnitRoundoff;
+  static constexpr double kAtan2 = kAtan2ErrorOfDouble * kUnitRoundoff;
 };
 
 /// The constants of double_double.h, rounded up to cover their terms in u^3.
@@ -38,8 +42,11 @@ template <>
 struct RoundingError<DoubleDouble> {
   static constexpr double kSum = 3.01 * kUnitSquared;
   static constexpr double kProduct = 5.01 * kUnitSquared;
-  static constexpr double kQuotient = 9.81 * kUnitSquared;
+  static constexpr double kQuotient = 11.01 * kUnitSquared;
   static constexpr double kRoot = 4.21 * kUnitSquared;
+  static constexpr double kDot2 = 13.01 * kUnitSquared;
+  static constexpr double kDot3 = 19.01 * kUnitSquared;
+  static constexpr double kCross = 15.03 * kUnitSquared;
   static constexpr double kAtan2 = kAtan2Error * kUnitSquared;
 };
 
@@ -49,8 +56,8 @@ struct RoundingError<DoubleDouble> {
 /// [docs/errors.md section 2]. Numbers that matter are scaled to about 1.
 constexpr double kUnderflow = 0x1p-500;
 
-/// A bound computed with up to 12 roundings, times this, is one again.
-constexpr double kRoundUp = 1 + 0x1p-49;
+/// A bound computed with up to 24 roundings, times this, is one again.
+constexpr double kRoundUp = 1 + 0x1p-48;
 
 inline double RoundBoundUp(double bound) {
   return bound * kRoundUp + kUnderflow;
@@ -87,10 +94,6 @@ inline double Sqrt(double x) {
   return std::sqrt(x);
 }
 
-inline double Atan2(double y, double x) {
-  return std::atan2(y, x);
-}
-
 /// Where division, root and atan2 are free of intermediate under- and
 /// overflow.
 inline bool InSafeRange(double magnitude) {
@@ -120,24 +123,24 @@ Ball<T> Unbounded() {
 }
 
 template <class T>
-Ball<T> operator-(const Ball<T>& x) {
+inline Ball<T> operator-(const Ball<T>& x) {
   return {-x.value, x.error};
 }
 
 template <class T>
-Ball<T> operator+(const Ball<T>& x, const Ball<T>& y) {
+inline Ball<T> operator+(const Ball<T>& x, const Ball<T>& y) {
   const T sum = x.value + y.value;
   return {sum, RoundBoundUp(x.error + y.error +
                             RoundingError<T>::kSum * Magnitude(sum))};
 }
 
 template <class T>
-Ball<T> operator-(const Ball<T>& x, const Ball<T>& y) {
+inline Ball<T> operator-(const Ball<T>& x, const Ball<T>& y) {
   return x + -y;
 }
 
 template <class T>
-Ball<T> operator*(const Ball<T>& x, const Ball<T>& y) {
+inline Ball<T> operator*(const Ball<T>& x, const Ball<T>& y) {
   const T product = x.value * y.value;
   return {product,
           RoundBoundUp(x.error * (Magnitude(y.value) + y.error) +
@@ -147,7 +150,7 @@ Ball<T> operator*(const Ball<T>& x, const Ball<T>& y) {
 
 /// x / y; unbounded if y may be 0 or is out of the safe range.
 template <class T>
-Ball<T> operator/(const Ball<T>& x, const Ball<T>& y) {
+inline Ball<T> operator/(const Ball<T>& x, const Ball<T>& y) {
   const double least = LowerMagnitude(y.value) - y.error;
   if (!(least > 0x1p-900) || !InSafeRange(Magnitude(y.value))) {
     return Unbounded<T>();
@@ -163,7 +166,7 @@ Ball<T> operator/(const Ball<T>& x, const Ball<T>& y) {
 /// The same number, known not to be negative: 0 is then nearer than a negative
 /// value. The result is never -0, which atan2 takes for the other side.
 template <class T>
-Ball<T> ClampToNonNegative(const Ball<T>& x) {
+inline Ball<T> ClampToNonNegative(const Ball<T>& x) {
   return {Leading(x.value) > 0 ? x.value : T{}, x.error};
 }
 
@@ -190,6 +193,20 @@ inline Ball<DoubleDouble> Scaled(const Ball<DoubleDouble>& x,
                                  double power_of_two) {
   return {{x.value.high * power_of_two, x.value.low * power_of_two},
           x.error * power_of_two + kUnderflow};
+}
+
+/// x times 1 or -1, without a branch.
+inline double TimesSign(double x, double sign) {
+  return x * sign;
+}
+
+inline DoubleDouble TimesSign(const DoubleDouble& x, double sign) {
+  return {x.high * sign, x.low * sign};
+}
+
+template <class T>
+inline Ball<T> TimesSign(const Ball<T>& x, double sign) {
+  return {TimesSign(x.value, sign), x.error};
 }
 
 /// The angle of (x, y) if it is known that y >= 0, or that x >= 0: the angle

@@ -1,7 +1,7 @@
 #include "exact/ball_recipe.h"
 
-#include <bit>
-#include <cstdint>
+#include <algorithm>
+#include <cmath>
 #include <type_traits>
 #include <utility>
 
@@ -44,24 +44,6 @@ Ball<T> BallOf(const Exact& x, long exponent) {
 }
 
 template <class T>
-ScaledVector<T> ScaleToUnit(const Vec3<Ball<T>>& v) {
-  const double largest = std::max(
-      {Magnitude(v.x.value), Magnitude(v.y.value), Magnitude(v.z.value)});
-  const bool bounded = IsBounded(v.x) && IsBounded(v.y) && IsBounded(v.z);
-  if (!bounded || !(largest >= 0x1p-1000 && largest < 0x1p1000)) {
-    return {v, 0, false};
-  }
-  // The exponent field of a normal number; 2^-exponent is a normal one, too.
-  constexpr std::uint64_t kBias = 1023;
-  const std::uint64_t field = std::bit_cast<std::uint64_t>(largest) >> 52;
-  const double factor = std::bit_cast<double>((2 * kBias - field) << 52);
-  const long exponent = static_cast<long>(field) - static_cast<long>(kBias);
-  return {{Scaled(v.x, factor), Scaled(v.y, factor), Scaled(v.z, factor)},
-          exponent,
-          true};
-}
-
-template <class T>
 ScaledVector<T> ScaleToUnit(const Vec3<Exact>& v) {
   Multiprecision x = Rounded(v.x);
   Multiprecision y = Rounded(v.y);
@@ -74,18 +56,17 @@ ScaledVector<T> ScaleToUnit(const Vec3<Exact>& v) {
   }
   // MPFR's significands are in [1/2, 1).
   exponent -= 1;
-  return {{BallOfRounded<T>(std::move(x), exponent),
-           BallOfRounded<T>(std::move(y), exponent),
-           BallOfRounded<T>(std::move(z), exponent)},
-          exponent,
-          true};
+  const Ball<T> rounded_x = BallOfRounded<T>(std::move(x), exponent);
+  const Ball<T> rounded_y = BallOfRounded<T>(std::move(y), exponent);
+  const Ball<T> rounded_z = BallOfRounded<T>(std::move(z), exponent);
+  const Components<T> value{rounded_x.value, rounded_y.value, rounded_z.value};
+  return {{value, LengthOf(value),
+           RoundBoundUp(rounded_x.error + rounded_y.error + rounded_z.error)},
+          static_cast<int>(exponent)};
 }
 
 template Ball<double> BallOf<double>(const Exact&, long);
 template Ball<DoubleDouble> BallOf<DoubleDouble>(const Exact&, long);
-template ScaledVector<double> ScaleToUnit(const Vec3<Ball<double>>&);
-template ScaledVector<DoubleDouble> ScaleToUnit(
-    const Vec3<Ball<DoubleDouble>>&);
 template ScaledVector<double> ScaleToUnit(const Vec3<Exact>&);
 template ScaledVector<DoubleDouble> ScaleToUnit(const Vec3<Exact>&);
 

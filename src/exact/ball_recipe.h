@@ -4,6 +4,7 @@
 #define TRUELUX_EXACT_BALL_RECIPE_H_
 
 #include "exact/ball.h"
+#include "exact/ball_vector.h"
 #include "exact/recipe.h"
 
 namespace truelux {
@@ -43,27 +44,8 @@ struct FromExact<Ball<DoubleDouble>> {
   }
 };
 
-/// A vector known up to a positive factor, and the factor that was taken out:
-/// what was meant is 2^exponent * vector; the largest component of vector is
-/// in [1/2, 2), the errors are relative to it.
-template <class T>
-struct ScaledVector {
-  Vec3<Ball<T>> vector;
-  long exponent = 0;
-  /// Every component bounded, not all of them 0.
-  bool usable = false;
-
-  /// The largest error of a component.
-  [[nodiscard]] double Error() const {
-    return std::max({vector.x.error, vector.y.error, vector.z.error});
-  }
-};
-
-/// v with a power of two taken out.
-template <class T>
-ScaledVector<T> ScaleToUnit(const Vec3<Ball<T>>& v);
-
-/// The same for an exact vector, of any exponent; not all components 0.
+/// An exact vector of any exponent, rounded once, with a power of two taken
+/// out; not all components 0.
 template <class T>
 ScaledVector<T> ScaleToUnit(const Vec3<Exact>& v);
 

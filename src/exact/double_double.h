@@ -17,7 +17,7 @@
 namespace truelux {
 
 /// The unit roundoff of binary64 and its square.
-constexpr double kUnit = 0x1p-53;
+constexpr double kUnitRoundoff = 0x1p-53;
 constexpr double kUnitSquared = 0x1p-106;
 
 /// The number high + low; high is the sum rounded to nearest.
@@ -84,13 +84,14 @@ inline DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
   return FastTwoSum(product.high, product.low + cross);
 }
 
-/// Error <= 9.8 u^2 (relative; [JMP] Algorithm 18). Requires
-/// 2^-900 <= |y| <= 2^900.
+/// Error <= 11 u^2 (relative; [JMP] Algorithm 17 with the last correction in
+/// one step; docs/errors.md section 3). Requires 2^-900 <= |y| <= 2^900.
+/// Underflow costs at most 2^-1070 / |y| besides.
 inline DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
-  const double inverse = 1 / y.high;
-  const DoubleDouble rest =
-      FastTwoSum(std::fma(-y.high, inverse, 1.0), -(y.low * inverse));
-  return x * (rest * inverse + inverse);
+  const double quotient = x.high / y.high;
+  const double rest =
+      std::fma(-quotient, y.high, x.high) + std::fma(-quotient, y.low, x.low);
+  return FastTwoSum(quotient, rest / y.high);
 }
 
 /// The square root. Error <= 4.2 u^2 (relative; docs/errors.md section 3).
@@ -101,13 +102,54 @@ inline DoubleDouble Sqrt(const DoubleDouble& x) {
   return FastTwoSum(root, rest / (2 * root));
 }
 
-/// Relative error of Atan2 [u^2]; the proof is docs/errors.md section 4.
-constexpr double kAtan2Error = 32;
+/// What a b adds to the low part of a sum of products whose high part has
+/// taken TwoProduct(a.high, b.high): its error and the mixed products. Error
+/// <= 6 u^2 |a b|, docs/errors.md section 3.
+inline double LowOfProduct(const DoubleDouble& a, const DoubleDouble& b,
+                           double product_error) {
+  return std::fma(a.low, b.high, std::fma(a.high, b.low, product_error));
+}
 
-/// The angle of (x, y), in [-pi, pi] up to the error; 0 for (0, 0).
-/// Error <= kAtan2Error u^2 (relative) + 2^-1060 (absolute). Requires
-/// max(|x|, |y|) = 0 or in [2^-900, 2^900].
-DoubleDouble Atan2(const DoubleDouble& y, const DoubleDouble& x);
+/// a b + c d. Error <= 13 u^2 (|a b| + |c d|), docs/errors.md section 3.
+inline DoubleDouble SumOfProducts(const DoubleDouble& a, const DoubleDouble& b,
+                                  const DoubleDouble& c,
+                                  const DoubleDouble& d) {
+  const DoubleDouble first = TwoProduct(a.high, b.high);
+  const DoubleDouble second = TwoProduct(c.high, d.high);
+  const DoubleDouble high = TwoSum(first.high, second.high);
+  const double low =
+      LowOfProduct(a, b, first.low) + LowOfProduct(c, d, second.low);
+  return FastTwoSum(high.high, high.low + low);
+}
+
+/// a b + c d + e f. Error <= 19 u^2 (|a b| + |c d| + |e f|), docs/errors.md
+/// section 3.
+inline DoubleDouble SumOfProducts(const DoubleDouble& a, const DoubleDouble& b,
+                                  const DoubleDouble& c, const DoubleDouble& d,
+                                  const DoubleDouble& e,
+                                  const DoubleDouble& f) {
+  const DoubleDouble first = TwoProduct(a.high, b.high);
+  const DoubleDouble second = TwoProduct(c.high, d.high);
+  const DoubleDouble third = TwoProduct(e.high, f.high);
+  const DoubleDouble two = TwoSum(first.high, second.high);
+  const DoubleDouble high = TwoSum(two.high, third.high);
+  const double low = LowOfProduct(a, b, first.low) +
+                     LowOfProduct(c, d, second.low) +
+                     LowOfProduct(e, f, third.low);
+  return TwoSum(high.high, (two.low + high.low) + low);
+}
+
+/// a b + c d. Error <= 2 u (1 + u) (|a b| + |c d|): one rounding of c d, one
+/// of the sum.
+inline double SumOfProducts(double a, double b, double c, double d) {
+  return std::fma(a, b, c * d);
+}
+
+/// a b + c d + e f. Error <= 3 u (1 + u)^2 (|a b| + |c d| + |e f|).
+inline double SumOfProducts(double a, double b, double c, double d, double e,
+                            double f) {
+  return std::fma(a, b, std::fma(c, d, e * f));
+}
 
 }  // namespace truelux
 

@@ -1,6 +1,6 @@
 #include "radiometry/ball_geometry.h"
 
-#include <utility>
+#include "exact/ball_recipe.h"
 
 namespace truelux {
 namespace {
@@ -16,99 +16,155 @@ constexpr double kGoodEnough<double> = 0x1p-32;
 template <>
 constexpr double kGoodEnough<DoubleDouble> = 0x1p-88;
 
+/// Written so that a NaN is not good.
 template <class T>
-bool IsGood(const ScaledVector<T>& v) {
-  return v.usable && v.Error() <= kGoodEnough<T>;
+bool IsGood(const BallVector<T>& v) {
+  return v.error <= kGoodEnough<T> * v.length;
+}
+
+const Point3& Vertex(const WeightedContour& contour, int v) {
+  return contour.view.vertices[static_cast<std::size_t>(v)];
+}
+
+/// n, scaled.
+template <class T>
+BallVector<T> ReceiverNormal(const WeightedContour& contour) {
+  const Vector3& n = contour.view.normal;
+  ScaledVector<T> scaled;
+  if (!ScaleToUnit(Components<T>{T{n.x}, T{n.y}, T{n.z}}, 0, scaled)) {
+    scaled =
+        ScaleToUnit<T>(RecipeEvaluator<Exact>(contour.view).ReceiverNormal());
+  }
+  return scaled.vector;
+}
+
+template <class T>
+bool TryScale(const Vec3<Ball<T>>& v, ScaledVector<T>& scaled) {
+  return ScaleToUnit(Components<T>{v.x.value, v.y.value, v.z.value},
+                     RoundBoundUp(v.x.error + v.y.error + v.z.error), scaled) &&
+         IsGood(scaled.vector);
+}
+
+/// The kinds of planes that are rare, and any plane exactly.
+template <class T>
+ScaledVector<T> AnyPlane(const WeightedContour& contour,
+                         const PlaneRecipe& recipe) {
+  const auto& explicit_vectors = contour.contour.explicit_vectors;
+  ScaledVector<T> rounded;
+  if (recipe.kind == PlaneRecipe::Kind::kCut &&
+      TryScale(RecipeEvaluator<Ball<T>>(contour.view)
+                   .Plane(recipe, explicit_vectors),
+               rounded)) {
+    return rounded;
+  }
+  return ScaleToUnit<T>(
+      RecipeEvaluator<Exact>(contour.view).Plane(recipe, explicit_vectors));
+}
+
+/// The kinds of directions that are rare, and any direction exactly.
+template <class T>
+ScaledVector<T> AnyDirection(const WeightedContour& contour,
+                             const DirectionRecipe& recipe) {
+  const Contour& c = contour.contour;
+  ScaledVector<T> rounded;
+  if ((recipe.kind == DirectionRecipe::Kind::kEdgeAtHorizon ||
+       recipe.kind == DirectionRecipe::Kind::kEdgeAtPlane) &&
+      TryScale(RecipeEvaluator<Ball<T>>(contour.view)
+                   .Direction(recipe, c.planes, c.explicit_vectors),
+               rounded)) {
+    return rounded;
+  }
+  return ScaleToUnit<T>(RecipeEvaluator<Exact>(contour.view)
+                            .Direction(recipe, c.planes, c.explicit_vectors));
 }
 
 }  // namespace
 
 template <class T>
-BallGeometry<T>::BallGeometry(const WeightedContour& contour, Formula formula)
-    : contour_(contour),
-      recipes_(contour.view),
-      exact_recipes_(contour.view),
-      receiver_normal_(EvaluatePlane({.kind = PlaneRecipe::Kind::kHorizon})) {
+void BallGeometry<T>::Evaluate(const WeightedContour& contour) {
   const Contour& c = contour.contour;
-  const Vec3<Ball<T>>& n = receiver_normal_.vector;
-  const Ball<T> receiver_length = Sqrt(Dot(n, n));
-  planes_.reserve(c.planes.size());
-  for (const PlaneRecipe& recipe : c.planes) {
-    planes_.push_back(
-        Complete(EvaluatePlane(recipe), receiver_length, formula));
+  receiver_normal_ = ReceiverNormal<T>(contour);
+  if (planes_.size() < c.planes.size()) planes_.resize(c.planes.size());
+  for (std::size_t i = 0; i < c.planes.size(); ++i) {
+    const PlaneRecipe& recipe = c.planes[i];
+    BallPlane<T>& plane = planes_[i];
+    EvaluatePlane(contour, recipe, plane.normal);
+    const BallVector<T>& normal = plane.normal.vector;
+    plane.length = Length(normal);
+    plane.rise = Dot(receiver_normal_, normal) / plane.length;
+    plane.axis = LargestComponent(normal.value);
+    const Ball<T> along_axis = Component(normal, plane.axis);
+    plane.sign = Leading(along_axis.value) > 0 ? 1 : -1;
+    plane.along_axis = TimesSign(along_axis, plane.sign);
+    const bool is_edge = recipe.kind == PlaneRecipe::Kind::kEdge;
+    plane.first_vertex = is_edge ? recipe.a : -1;
+    plane.last_vertex = is_edge ? recipe.b : -1;
   }
-  directions_.reserve(c.directions.size());
-  for (const DirectionRecipe& recipe : c.directions) {
-    directions_.push_back(EvaluateDirection(recipe));
+  if (directions_.size() < c.directions.size()) {
+    directions_.resize(c.directions.size());
+  }
+  for (std::size_t i = 0; i < c.directions.size(); ++i) {
+    const DirectionRecipe& recipe = c.directions[i];
+    EvaluateDirection(contour, recipe, directions_[i].scaled);
+    const bool is_vertex = recipe.kind == DirectionRecipe::Kind::kVertex;
+    directions_[i].vertex = is_vertex ? recipe.a : -1;
   }
 }
 
 template <class T>
-BallPlane<T> BallGeometry<T>::Complete(const ScaledVector<T>& normal,
-                                       const Ball<T>& receiver_length,
-                                       Formula formula) const {
-  const Vec3<Ball<T>>& n = receiver_normal_.vector;
-  BallPlane<T> plane;
-  plane.normal = normal;
-  plane.length = Sqrt(Dot(normal.vector, normal.vector));
-  plane.cosine = Dot(n, normal.vector) / (receiver_length * plane.length);
-  if (formula == Formula::kHomogeneous) plane.ascent = Cross(n, normal.vector);
-  return plane;
-}
-
-template <class T>
-ScaledVector<T> BallGeometry<T>::EvaluatePlane(
-    const PlaneRecipe& recipe) const {
-  const auto& explicit_vectors = contour_.contour.explicit_vectors;
-  if (recipe.kind != PlaneRecipe::Kind::kExplicit) {
-    ScaledVector<T> rounded =
-        ScaleToUnit(recipes_.Plane(recipe, explicit_vectors));
-    if (IsGood(rounded)) return rounded;
+void BallGeometry<T>::EvaluatePlane(const WeightedContour& contour,
+                                    const PlaneRecipe& recipe,
+                                    ScaledVector<T>& normal) const {
+  if (recipe.kind == PlaneRecipe::Kind::kEdge) {
+    const Point3& a = Vertex(contour, recipe.a);
+    const Point3& b = Vertex(contour, recipe.b);
+    const auto to_a = Difference<T>(contour.view.position, a);
+    const auto edge = Difference<T>(a, b);
+    const Components<T> cross = CrossValue(to_a.value, edge.value);
+    if (ScaleToUnit(recipe.negated ? Negated(cross) : cross,
+                    ErrorOfCross(to_a, edge), normal) &&
+        IsGood(normal.vector)) {
+      return;
+    }
+  } else if (recipe.kind == PlaneRecipe::Kind::kHorizon) {
+    normal.vector = recipe.negated ? -receiver_normal_ : receiver_normal_;
+    normal.exponent = 0;
+    return;
   }
-  return ScaleToUnit<T>(exact_recipes_.Plane(recipe, explicit_vectors));
+  normal = AnyPlane<T>(contour, recipe);
 }
 
 template <class T>
-ScaledVector<T> BallGeometry<T>::EvaluateDirection(
-    const DirectionRecipe& recipe) const {
-  const Contour& c = contour_.contour;
+void BallGeometry<T>::EvaluateDirection(const WeightedContour& contour,
+                                        const DirectionRecipe& recipe,
+                                        ScaledVector<T>& direction) const {
   if (recipe.kind == DirectionRecipe::Kind::kCrossing) {
     // From the scaled planes: of degree 2 in numbers near 1, not of degree 4
-    // in the coordinates.
-    const Vec3<Ball<T>> crossing =
-        Cross(Plane(recipe.a).normal.vector, Plane(recipe.b).normal.vector);
-    ScaledVector<T> rounded =
-        ScaleToUnit(recipe.negated ? -crossing : crossing);
-    if (IsGood(rounded)) return rounded;
-  } else if (recipe.kind != DirectionRecipe::Kind::kExplicit) {
-    ScaledVector<T> rounded =
-        ScaleToUnit(recipes_.Direction(recipe, c.planes, c.explicit_vectors));
-    if (IsGood(rounded)) return rounded;
+    // in the coordinates. A good one need not be scaled: its length is at most
+    // 12, and not below 2^-22, as its error is at least 2^-54 (2^-105 in
+    // double-double).
+    BallVector<T>& crossing = direction.vector;
+    const BallVector<T>& a =
+        Plane(recipe.negated ? recipe.b : recipe.a).normal.vector;
+    const BallVector<T>& b =
+        Plane(recipe.negated ? recipe.a : recipe.b).normal.vector;
+    crossing.value = CrossValue(a.value, b.value);
+    crossing.length = LengthOf(crossing.value);
+    crossing.error = ErrorOfCross(a, b);
+    direction.exponent = 0;
+    if (IsGood(crossing)) return;
+  } else if (recipe.kind == DirectionRecipe::Kind::kVertex) {
+    Components<T> difference;
+    double error = 0;
+    SetDifference(contour.view.position, Vertex(contour, recipe.a), difference,
+                  error);
+    if (ScaleToUnit(recipe.negated ? Negated(difference) : difference, error,
+                    direction) &&
+        IsGood(direction.vector)) {
+      return;
+    }
   }
-  return ScaleToUnit<T>(
-      exact_recipes_.Direction(recipe, c.planes, c.explicit_vectors));
-}
-
-template <class T>
-std::optional<Ball<T>> BallGeometry<T>::CrossOfWholeEdge(const Arc& arc) const {
-  const Contour& c = contour_.contour;
-  const PlaneRecipe& plane = c.planes[static_cast<std::size_t>(arc.plane)];
-  if (plane.kind != PlaneRecipe::Kind::kEdge) return std::nullopt;
-  const auto from = static_cast<std::size_t>(arc.from);
-  const auto to = static_cast<std::size_t>(arc.to);
-  const DirectionRecipe& first = c.directions[from];
-  const DirectionRecipe& last = c.directions[to];
-  if (first.kind != DirectionRecipe::Kind::kVertex ||
-      last.kind != DirectionRecipe::Kind::kVertex ||
-      std::minmax(first.a, last.a) != std::minmax(plane.a, plane.b)) {
-    return std::nullopt;
-  }
-  // (a - r) x (b - r) = (a - r) x (b - a) = +-N; undo the three scalings.
-  const long exponent = Plane(arc.plane).normal.exponent -
-                        directions_[from].exponent - directions_[to].exponent;
-  if (exponent < -800 || exponent > 800) return std::nullopt;
-  return Scaled(Plane(arc.plane).length,
-                std::ldexp(1.0, static_cast<int>(exponent)));
+  direction = AnyDirection<T>(contour, recipe);
 }
 
 template class BallGeometry<double>;

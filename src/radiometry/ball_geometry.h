@@ -3,10 +3,9 @@
 #ifndef TRUELUX_RADIOMETRY_BALL_GEOMETRY_H_
 #define TRUELUX_RADIOMETRY_BALL_GEOMETRY_H_
 
-#include <optional>
 #include <vector>
 
-#include "exact/ball_recipe.h"
+#include "exact/ball_vector.h"
 #include "radiometry/weighted_contour.h"
 
 namespace truelux {
@@ -16,11 +15,24 @@ template <class T>
 struct BallPlane {
   ScaledVector<T> normal;  ///< N
   Ball<T> length;          ///< |N|
-  Ball<T> cosine;          ///< n.N / (|n| |N|)
-  Vec3<Ball<T>> ascent;    ///< n x N; only with Formula::kHomogeneous
+  Ball<T> rise;            ///< n.N / |N|, n the scaled receiver normal
+  std::size_t axis = 0;    ///< index k of a largest component of N
+  Ball<T> along_axis;      ///< |N_k|
+  double sign = 1;         ///< of N_k
+  /// The scene edge that it is the plane of, by its vertices; -1: no edge.
+  int first_vertex = -1;
+  int last_vertex = -1;
 };
 
-/// All planes and directions of one contour at one number type.
+/// A direction from r.
+template <class T>
+struct BallDirection {
+  ScaledVector<T> scaled;  ///< d, of a length in [2^-22, 12]
+  int vertex = -1;         ///< the scene vertex that it is; -1: none
+};
+
+/// All planes and directions of one contour at one number type. One object
+/// serves any number of contours, one after the other, and keeps its memory.
 ///
 /// A vector that the balls leave uncertain (near-parallel planes that cross,
 /// coordinates at the ends of the exponent range) is evaluated exactly and
@@ -28,9 +40,11 @@ struct BallPlane {
 template <class T>
 class BallGeometry {
  public:
-  BallGeometry(const WeightedContour& contour, Formula formula);
+  /// Evaluates the planes and directions of a contour.
+  void Evaluate(const WeightedContour& contour);
 
-  [[nodiscard]] const ScaledVector<T>& receiver_normal() const {
+  /// n, scaled by a power of two.
+  [[nodiscard]] const BallVector<T>& receiver_normal() const {
     return receiver_normal_;
   }
 
@@ -38,27 +52,21 @@ class BallGeometry {
     return planes_[static_cast<std::size_t>(i)];
   }
 
-  [[nodiscard]] const Vec3<Ball<T>>& Direction(int i) const {
-    return directions_[static_cast<std::size_t>(i)].vector;
+  [[nodiscard]] const BallDirection<T>& Direction(int i) const {
+    return directions_[static_cast<std::size_t>(i)];
   }
 
-  /// |d1 x d2| / |N| times |N|, from |N| alone, for an arc that is a whole
-  /// scene edge; nothing for any other arc.
-  [[nodiscard]] std::optional<Ball<T>> CrossOfWholeEdge(const Arc& arc) const;
-
  private:
-  ScaledVector<T> EvaluatePlane(const PlaneRecipe& recipe) const;
-  ScaledVector<T> EvaluateDirection(const DirectionRecipe& recipe) const;
-  [[nodiscard]] BallPlane<T> Complete(const ScaledVector<T>& normal,
-                                      const Ball<T>& receiver_length,
-                                      Formula formula) const;
+  void EvaluatePlane(const WeightedContour& contour, const PlaneRecipe& recipe,
+                     ScaledVector<T>& normal) const;
+  void EvaluateDirection(const WeightedContour& contour,
+                         const DirectionRecipe& recipe,
+                         ScaledVector<T>& direction) const;
 
-  const WeightedContour& contour_;
-  RecipeEvaluator<Ball<T>> recipes_;
-  RecipeEvaluator<Exact> exact_recipes_;
-  ScaledVector<T> receiver_normal_;
+  BallVector<T> receiver_normal_;
+  // As long as the longest contour so far needed them.
   std::vector<BallPlane<T>> planes_;
-  std::vector<ScaledVector<T>> directions_;
+  std::vector<BallDirection<T>> directions_;
 };
 
 }  // namespace truelux

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "exact/ball.h"
+#include "radiometry/ball_geometry.h"
 #include "radiometry/weighted_contour.h"
 
 namespace truelux {
@@ -14,11 +14,13 @@ namespace truelux {
 /// E per channel as a ball; T = double or DoubleDouble. A channel that this
 /// stage cannot bound is unbounded, the others are right all the same.
 ///
-/// on_horizon: PlanesOnHorizon, used by Formula::kHomogeneous only.
+/// on_horizon: PlanesOnHorizon, used by Formula::kHomogeneous only. geometry
+/// is memory to work in.
 template <class T>
 std::array<Ball<T>, 3> EvaluateInBalls(const WeightedContour& contour,
                                        const EvaluationQuery& evaluation,
-                                       const std::vector<bool>& on_horizon);
+                                       const std::vector<bool>& on_horizon,
+                                       BallGeometry<T>& geometry);
 
 }  // namespace truelux
 

@@ -2,15 +2,16 @@
 
 #include <vector>
 
+#include "radiometry/evaluation_workspace.h"
 #include "radiometry/weighted_contour.h"
 
 namespace truelux {
 namespace {
 
 /// The emission of every source of the contour.
-std::vector<Rgb> WeightsOf(const ContourQuery& query, const Contour& contour) {
-  std::vector<Rgb> weights;
-  weights.reserve(contour.sources.size());
+void FindWeights(const ContourQuery& query, const Contour& contour,
+                 std::vector<Rgb>& weights) {
+  weights.clear();
   for (const SourceArcs& source : contour.sources) {
     if (query.only_source != 0) {
       weights.push_back({1, 1, 1});
@@ -21,20 +22,27 @@ std::vector<Rgb> WeightsOf(const ContourQuery& query, const Contour& contour) {
     weights.push_back(
         query.scene.faces()[static_cast<std::size_t>(facet.face)].emission);
   }
-  return weights;
 }
 
 }  // namespace
 
 Irradiance EvaluateContour(const ContourQuery& query, const Contour& contour,
-                           const EvaluationQuery& evaluation) {
-  const std::vector<Rgb> weights = WeightsOf(query, contour);
+                           const EvaluationQuery& evaluation,
+                           EvaluationWorkspace& workspace) {
+  FindWeights(query, contour, workspace.weights);
   EvaluationQuery used = evaluation;
   // A form factor is E with M = 1, however the scene's emission is read.
   if (query.only_source != 0) used.emission = Emission::kExitance;
-  Irradiance result = EvaluateWeighted({ViewOf(query), contour, weights}, used);
+  Irradiance result = EvaluateWeighted(
+      {ViewOf(query), contour, workspace.weights}, used, workspace);
   result.statistics += contour.statistics;
   return result;
+}
+
+Irradiance EvaluateContour(const ContourQuery& query, const Contour& contour,
+                           const EvaluationQuery& evaluation) {
+  EvaluationWorkspace workspace;
+  return EvaluateContour(query, contour, evaluation, workspace);
 }
 
 }  // namespace truelux

@@ -9,6 +9,8 @@
 
 namespace truelux {
 
+struct EvaluationWorkspace;
+
 /// How a contour is evaluated.
 struct EvaluationQuery {
   Method method = Method::kCertified;
@@ -24,7 +26,13 @@ struct EvaluationQuery {
 ///             enclosure rounds one way; a midpoint still enclosed at 4096
 ///             bits or more is a tie and goes to even.
 /// kDouble     double with a running bound on |error|, rounded up.
-/// The statistics are the contour's, with the evaluation's added.
+/// The statistics are the contour's, with the evaluation's added. workspace
+/// (evaluation_workspace.h) is memory to work in, for one thread at a time.
+Irradiance EvaluateContour(const ContourQuery& query, const Contour& contour,
+                           const EvaluationQuery& evaluation,
+                           EvaluationWorkspace& workspace);
+
+/// The same with a workspace of its own.
 Irradiance EvaluateContour(const ContourQuery& query, const Contour& contour,
                            const EvaluationQuery& evaluation);
 

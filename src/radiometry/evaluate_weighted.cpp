@@ -7,6 +7,7 @@
 
 #include "exact/ball.h"
 #include "radiometry/ball_stage.h"
+#include "radiometry/evaluation_workspace.h"
 #include "radiometry/multiprecision_stage.h"
 #include "radiometry/rounding.h"
 #include "radiometry/weighted_contour.h"
@@ -51,9 +52,10 @@ void AnswerCertified(double value, std::size_t channel, Channels& open,
 /// Answers what plain double can bound, clamped to >= 0 as E is.
 void AnswerInDouble(const WeightedContour& contour,
                     const EvaluationQuery& evaluation,
-                    const std::vector<bool>& on_horizon, Channels& open,
+                    const std::vector<bool>& on_horizon,
+                    BallGeometry<double>& geometry, Channels& open,
                     Irradiance& result) {
-  const auto balls = EvaluateInBalls<double>(contour, evaluation, on_horizon);
+  const auto balls = EvaluateInBalls(contour, evaluation, on_horizon, geometry);
   for (std::size_t channel = 0; channel < 3; ++channel) {
     if (!open[channel] || !IsBounded(balls[channel])) continue;
     result.value[channel] = ClampToNonNegative(balls[channel]).value;
@@ -64,10 +66,10 @@ void AnswerInDouble(const WeightedContour& contour,
 
 void AnswerInDoubleDouble(const WeightedContour& contour,
                           const EvaluationQuery& evaluation,
-                          const std::vector<bool>& on_horizon, Channels& open,
+                          const std::vector<bool>& on_horizon,
+                          BallGeometry<DoubleDouble>& geometry, Channels& open,
                           Irradiance& result) {
-  const auto balls =
-      EvaluateInBalls<DoubleDouble>(contour, evaluation, on_horizon);
+  const auto balls = EvaluateInBalls(contour, evaluation, on_horizon, geometry);
   for (std::size_t channel = 0; channel < 3; ++channel) {
     if (!open[channel]) continue;
     const auto value = RoundIfCertain(balls[channel]);
@@ -101,7 +103,8 @@ void AnswerInMultiprecision(const WeightedContour& contour,
 }  // namespace
 
 Irradiance EvaluateWeighted(const WeightedContour& contour,
-                            const EvaluationQuery& evaluation) {
+                            const EvaluationQuery& evaluation,
+                            EvaluationWorkspace& workspace) {
   Irradiance result;
   Channels open = LitChannels(contour);
   if (!Any(open)) {
@@ -112,13 +115,15 @@ Irradiance EvaluateWeighted(const WeightedContour& contour,
       evaluation.formula == Formula::kHomogeneous ? PlanesOnHorizon(contour)
                                                   : std::vector<bool>();
   if (evaluation.method == Method::kDouble) {
-    AnswerInDouble(contour, evaluation, on_horizon, open, result);
+    AnswerInDouble(contour, evaluation, on_horizon, workspace.plain, open,
+                   result);
     if (!Any(open)) {
       result.statistics.evaluated_double = 1;
       return result;
     }
   }
-  AnswerInDoubleDouble(contour, evaluation, on_horizon, open, result);
+  AnswerInDoubleDouble(contour, evaluation, on_horizon, workspace.double_double,
+                       open, result);
   if (!Any(open)) {
     result.statistics.evaluated_double_double = 1;
     return result;
@@ -126,6 +131,12 @@ Irradiance EvaluateWeighted(const WeightedContour& contour,
   AnswerInMultiprecision(contour, evaluation, on_horizon, open, result);
   result.statistics.evaluated_multiprecision = 1;
   return result;
+}
+
+Irradiance EvaluateWeighted(const WeightedContour& contour,
+                            const EvaluationQuery& evaluation) {
+  EvaluationWorkspace workspace;
+  return EvaluateWeighted(contour, evaluation, workspace);
 }
 
 }  // namespace truelux

@@ -43,7 +43,13 @@ struct WeightedContour {
 /// N x n = 0. Such arcs have a row of their own in Figure 11.
 std::vector<bool> PlanesOnHorizon(const WeightedContour& contour);
 
-/// evaluate.h, on an input that needs no scene.
+/// evaluate.h, on an input that needs no scene. Of the workspace, `weights`
+/// is not used.
+Irradiance EvaluateWeighted(const WeightedContour& contour,
+                            const EvaluationQuery& evaluation,
+                            EvaluationWorkspace& workspace);
+
+/// The same with a workspace of its own.
 Irradiance EvaluateWeighted(const WeightedContour& contour,
                             const EvaluationQuery& evaluation);
 

@@ -8,71 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "exact/atan_table.h"
 #include "exact/ball.h"
-#include "support/portable_random.h"
-#include "support/real.h"
+#include "exact/hard_pairs.h"
 
 namespace truelux::testing {
 namespace {
-
-ShortReal ToReal(const DoubleDouble& x) {
-  return ShortReal(x.high) + ShortReal(x.low);
-}
-
-/// |computed - truth| / (|truth| unit).
-double RelativeError(const ShortReal& computed, const ShortReal& truth,
-                     double unit) {
-  if (truth.ToDouble() == 0) return computed.ToDouble() == 0 ? 0 : HUGE_VAL;
-  return (Abs(computed - truth) / (Abs(truth) * ShortReal(unit))).ToDouble();
-}
-
-/// Double-doubles with trouble in them: full and sparse mantissas, low parts
-/// of exactly half an ulp, of zero, far below the high part.
-class HardPairs {
- public:
-  explicit HardPairs(std::uint64_t seed) : random_(seed) {}
-
-  DoubleDouble Next(int max_exponent) {
-    const int exponent = random_.Integer(-max_exponent, max_exponent);
-    double high = std::ldexp(1 + Mantissa(), exponent);
-    if (random_.OneIn(2)) high = -high;
-    const double half_ulp =
-        std::ldexp(1.0, std::ilogb(high) - 53) * (random_.OneIn(2) ? 1 : -1);
-    double low = half_ulp * Mantissa();
-    if (random_.OneIn(6)) low = 0;
-    if (random_.OneIn(6)) low = half_ulp * (1 - 0x1p-53);
-    if (random_.OneIn(8)) low *= 0x1p-40;
-    return FastTwoSum(high, low);
-  }
-
-  /// A number whose sum with x cancels in most bits.
-  DoubleDouble NextNear(const DoubleDouble& x) {
-    DoubleDouble y =
-        FastTwoSum(-random_.Nudge(x.high), x.low * random_.Uniform(-1.5, 1.5));
-    if (random_.OneIn(4) && x.low != 0)
-      y = FastTwoSum(-x.high, -random_.Nudge(x.low));
-    return y;
-  }
-
-  PortableRandom& random() { return random_; }
-
- private:
-  double Mantissa() {
-    switch (random_.Integer(0, 4)) {
-      case 0:
-        return 0;
-      case 1:
-        return 1 - std::ldexp(1.0, random_.Integer(-52, -48));
-      case 2:
-        return std::ldexp(1.0, random_.Integer(-52, -1));
-      default:
-        return random_.Unit();
-    }
-  }
-
-  PortableRandom random_;
-};
 
 constexpr int kTrials = 100000;
 
@@ -149,94 +89,86 @@ TEST(DoubleDouble, RootStaysWithinItsBound) {
   EXPECT_GT(worst, 0.5);
 }
 
-TEST(DoubleDoubleAtan2, EveryTableEntryIsTheNearestPair) {
-  for (int j = 0; j <= kAtanTableSteps; ++j) {
-    const ShortReal truth = Atan2(ShortReal(j), ShortReal(kAtanTableSteps));
-    const DoubleDouble& entry = kAtanTable[static_cast<std::size_t>(j)];
-    EXPECT_EQ(entry.high, truth.ToDouble()) << j;
-    EXPECT_EQ(entry.low, (truth - ShortReal(entry.high)).ToDouble()) << j;
-  }
+/// |computed - truth| in units of u^2 (u) times the sum of the magnitudes.
+double ErrorOfSum(const ShortReal& computed, const ShortReal& truth,
+                  const ShortReal& magnitudes, double unit) {
+  if (magnitudes.ToDouble() == 0)
+    return computed.ToDouble() == 0 ? 0 : HUGE_VAL;
+  return (Abs(computed - truth) / (magnitudes * ShortReal(unit))).ToDouble();
 }
 
-TEST(DoubleDoubleAtan2, StaysWithinItsProvenConstant) {
-  HardPairs pairs(6);
+// Products that cancel, to the last bit too, and products of any sizes.
+TEST(DoubleDouble, SumsOfProductsStayWithinTheirBounds) {
+  HardPairs pairs(8);
   PortableRandom& random = pairs.random();
-  double worst = 0;
-  for (int i = 0; i < 300000; ++i) {
-    DoubleDouble x = pairs.Next(20);
-    DoubleDouble y = pairs.Next(20);
-    switch (i % 4) {
-      case 0: {  // around a table entry's border, in every octant
-        const double tangent = (random.Integer(0, 127) + 0.5) / 128;
-        y = x * (tangent * (1 + random.Uniform(-1, 1) * 0x1p-40));
-        if (random.OneIn(2)) std::swap(x, y);
-        if (random.OneIn(2)) y = -y;
-        break;
-      }
-      case 1:  // any angle
-        y = x * random.Uniform(-3, 3);
-        break;
-      case 2:  // small angles, and angles near pi
-        y = x * std::ldexp(random.Uniform(-1, 1), random.Integer(-60, 0));
-        break;
-      default:
-        break;
-    }
-    worst = std::max(
-        worst, RelativeError(ToReal(Atan2(y, x)), Atan2(ToReal(y), ToReal(x)),
-                             kUnitSquared));
+  double worst2 = 0;
+  double worst3 = 0;
+  double worst_plain2 = 0;
+  double worst_plain3 = 0;
+  for (int i = 0; i < kTrials; ++i) {
+    const int spread = i % 4 == 0 ? 60 : 1;
+    DoubleDouble a = pairs.Next(spread);
+    const DoubleDouble b = pairs.Next(spread);
+    DoubleDouble c = pairs.Next(spread);
+    DoubleDouble d = pairs.Next(spread);
+    DoubleDouble e = pairs.Next(spread);
+    const DoubleDouble f = pairs.Next(spread);
+    if (i % 4 == 1) d = pairs.NextNear(a), c = b;  // a b + c d cancels
+    if (i % 4 == 2) e = -(a * b + c * d) / f;      // all three cancel
+    if (random.OneIn(20)) a = {a.high * 0x1p-53, a.low * 0x1p-53};
+    const ShortReal ab = ToReal(a) * ToReal(b);
+    const ShortReal cd = ToReal(c) * ToReal(d);
+    const ShortReal ef = ToReal(e) * ToReal(f);
+    const ShortReal magnitudes = Abs(ab) + Abs(cd);
+    worst2 = std::max(worst2, ErrorOfSum(ToReal(SumOfProducts(a, b, c, d)),
+                                         ab + cd, magnitudes, kUnitSquared));
+    worst3 = std::max(
+        worst3, ErrorOfSum(ToReal(SumOfProducts(a, b, c, d, e, f)),
+                           ab + cd + ef, magnitudes + Abs(ef), kUnitSquared));
+    const ShortReal high_ab = ShortReal(a.high) * ShortReal(b.high);
+    const ShortReal high_cd = ShortReal(c.high) * ShortReal(d.high);
+    const ShortReal high_ef = ShortReal(e.high) * ShortReal(f.high);
+    const ShortReal high = Abs(high_ab) + Abs(high_cd);
+    worst_plain2 = std::max(
+        worst_plain2,
+        ErrorOfSum(ShortReal(SumOfProducts(a.high, b.high, c.high, d.high)),
+                   high_ab + high_cd, high, kUnitRoundoff));
+    worst_plain3 =
+        std::max(worst_plain3,
+                 ErrorOfSum(ShortReal(SumOfProducts(a.high, b.high, c.high,
+                                                    d.high, e.high, f.high)),
+                            high_ab + high_cd + high_ef, high + Abs(high_ef),
+                            kUnitRoundoff));
   }
-  RecordProperty("worst_u2", std::to_string(worst));
-  EXPECT_LE(worst, kAtan2Error);
-  EXPECT_GT(worst, 1.0);
+  RecordProperty("worst_two_u2", std::to_string(worst2));
+  RecordProperty("worst_three_u2", std::to_string(worst3));
+  RecordProperty("worst_two_plain_u", std::to_string(worst_plain2));
+  RecordProperty("worst_three_plain_u", std::to_string(worst_plain3));
+  EXPECT_LE(worst2, RoundingError<DoubleDouble>::kDot2 / kUnitSquared);
+  EXPECT_LE(worst3, RoundingError<DoubleDouble>::kDot3 / kUnitSquared);
+  EXPECT_LE(worst_plain2, RoundingError<double>::kDot2 / kUnitRoundoff);
+  EXPECT_LE(worst_plain3, RoundingError<double>::kDot3 / kUnitRoundoff);
+  EXPECT_GT(worst2, 2.0);
+  EXPECT_GT(worst3, 2.0);
+  EXPECT_GT(worst_plain2, 0.9);
+  EXPECT_GT(worst_plain3, 0.9);
 }
 
-TEST(DoubleDoubleAtan2, HitsTheAxesAndDiagonals) {
-  const DoubleDouble one{1, 0};
-  const DoubleDouble zero{0, 0};
-  EXPECT_EQ(Atan2(zero, one), zero);
-  EXPECT_EQ(Atan2(zero, zero), zero);
-  EXPECT_EQ(Atan2(one, zero).high, std::acos(-1) / 2);
-  EXPECT_EQ(Atan2(zero, -one).high, std::acos(-1));
-  EXPECT_EQ(Atan2(-one, zero).high, -std::acos(-1) / 2);
-  EXPECT_EQ(Atan2(one, one).high, std::acos(-1) / 4);
-  EXPECT_EQ(Atan2(one, -one).high, 3 * (std::acos(-1) / 4));
-}
-
-// The only fact about the C library that a bound relies on.
-TEST(LibraryAtan2, IsWithinOneUlp) {
-  PortableRandom random(7);
-  double worst = 0;
-  for (int i = 0; i < 200000; ++i) {
-    const int spread = i % 3 == 0 ? 1000 : 30;
-    const double y =
-        std::ldexp(random.Uniform(-1, 1), random.Integer(-spread, spread));
-    const double x =
-        std::ldexp(random.Uniform(-1, 1), random.Integer(-spread, spread));
-    const double angle = std::atan2(y, x);
-    if (std::fabs(angle) < 0x1p-1000) continue;
-    const double ulp = std::ldexp(1.0, std::ilogb(angle) - 52);
-    const ShortReal truth = Atan2(ShortReal(y), ShortReal(x));
-    worst = std::max(
-        worst, (Abs(ShortReal(angle) - truth) / ShortReal(ulp)).ToDouble());
-  }
-  RecordProperty("worst_ulp", std::to_string(worst));
-  EXPECT_LE(worst, 1.0);
-  EXPECT_GE(worst, 0.49);
-}
-
-TEST(LibraryAtan2, KeepsItsWordAtTheEndsOfTheRange) {
-  for (const double y : {0x1p-1074, 0x1p-1022, 0x1p-500, 1.0, 0x1p1023}) {
-    for (const double x : {0x1p-1074, 0x1p-1022, 0x1p-500, 1.0, 0x1p1023}) {
-      for (const double sign : {1.0, -1.0}) {
-        const double angle = std::atan2(y, sign * x);
-        const ShortReal truth = Atan2(ShortReal(y), ShortReal(sign * x));
-        const ShortReal error = Abs(ShortReal(angle) - truth);
-        EXPECT_LE(error, Abs(truth) * ShortReal(RoundingError<double>::kAtan2) +
-                             ShortReal(0x1p-1074))
-            << y << " " << sign * x;
-      }
-    }
+// The sum of the high parts may be far smaller than the low part: the last
+// addition must be exact all the same.
+TEST(DoubleDouble, SumsOfProductsThatCancelAreExactWhenTheirPartsAre) {
+  PortableRandom random(9);
+  for (int i = 0; i < kTrials; ++i) {
+    const double a = random.Uniform(1, 2);
+    const double b = random.Uniform(1, 2);
+    const DoubleDouble product = TwoProduct(a, b);
+    const double nudged = random.Nudge(product.high);
+    const DoubleDouble rest =
+        SumOfProducts({a, 0}, {b, 0}, {-1, 0}, {nudged, 0});
+    EXPECT_EQ(rest,
+              FastTwoSum(product.high - nudged == 0 ? product.low
+                                                    : product.high - nudged,
+                         product.high - nudged == 0 ? 0 : product.low));
   }
 }
 

@@ -6,6 +6,8 @@
 
 #include "truelux/scene.h"
 
+#include "radiometry/evaluation_workspace.h"
+
 namespace truelux {
 namespace {
 
@@ -69,6 +71,26 @@ TEST_F(EvaluateContourTest, AFormFactorIsForUnitExitance) {
     const Irradiance result = EvaluateContour(
         query_, contour_, {Method::kCertified, emission, Formula::kLambert});
     EXPECT_EQ(result.value, (Rgb{0.25, 0.25, 0.25}));
+  }
+}
+
+// What a workspace holds of a longer contour, or of another method, does not
+// reach the next result.
+TEST_F(EvaluateContourTest, AWorkspaceCarriesNothingOver) {
+  Contour shorter = contour_;
+  shorter.sources.erase(shorter.sources.begin());
+  EvaluationWorkspace workspace;
+  for (const Method method : {Method::kDouble, Method::kCertified}) {
+    for (const Formula formula : {Formula::kLambert, Formula::kHomogeneous}) {
+      const EvaluationQuery how{method, Emission::kExitance, formula};
+      for (const Contour* contour : {&contour_, &shorter, &contour_}) {
+        const Irradiance again =
+            EvaluateContour(query_, *contour, how, workspace);
+        const Irradiance fresh = EvaluateContour(query_, *contour, how);
+        EXPECT_EQ(again.value, fresh.value);
+        EXPECT_EQ(again.bound, fresh.bound);
+      }
+    }
   }
 }
 

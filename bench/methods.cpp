@@ -6,6 +6,7 @@
 #include "baselines/scanline.h"
 #include "polygon_set.h"
 #include "radiometry/evaluate.h"
+#include "radiometry/evaluation_workspace.h"
 #include "visibility/contour_engine.h"
 
 namespace truelux::bench {
@@ -58,6 +59,7 @@ Contender UnfilteredMethod(const BenchScene& scene) {
     ContourEngine engine;
     UnfilteredContourBuilder builder;
     Contour contour;
+    EvaluationWorkspace evaluation;
   };
 
   const auto state = std::make_shared<State>(scene.scene);
@@ -70,7 +72,8 @@ Contender UnfilteredMethod(const BenchScene& scene) {
       query.receiver = receiver;
       state->builder.Build(query, state->contour);
       results.push_back(EvaluateContour(query, state->contour,
-                                        {.method = Method::kDouble}));
+                                        {.method = Method::kDouble},
+                                        state->evaluation));
     }
     return results;
   };

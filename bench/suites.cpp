@@ -63,9 +63,9 @@ void AppendSampled(const BenchScene& scene, const Choice& choice,
 
 Task MakeTask(const BenchScene& scene, const Choice& choice,
               const Options& options) {
-  Task task{&scene, {CertifiedMethod(scene), DoubleMethod(scene)}};
-  if (auto unfiltered = UnfilteredMethod(scene))
-    task.methods.push_back(std::move(*unfiltered));
+  Task task{
+      &scene,
+      {CertifiedMethod(scene), DoubleMethod(scene), UnfilteredMethod(scene)}};
   AppendSampled(scene, choice, options.seed, task.methods);
   for (const int rows : choice.rows)
     task.methods.push_back(ScanlineMethod(scene, rows));

@@ -12,6 +12,7 @@
 
 #include "exact/pool.h"
 #include "radiometry/evaluate.h"
+#include "radiometry/evaluation_workspace.h"
 #include "visibility/arrangement_engine.h"
 #include "visibility/contour_engine.h"
 #include "visibility/visible_contour.h"
@@ -53,6 +54,7 @@ struct Workspace {
 
   ContourBuilder builder;
   truelux::Contour contour;
+  EvaluationWorkspace evaluation;
 };
 
 }  // namespace
@@ -105,7 +107,8 @@ std::vector<Irradiance> Oracle::Evaluate(
     for (const Receiver& receiver : block) {
       query.receiver = receiver;
       BuildContour(query, options_.engine, *workspace);
-      results.push_back(EvaluateContour(query, workspace->contour, evaluation));
+      results.push_back(EvaluateContour(query, workspace->contour, evaluation,
+                                        workspace->evaluation));
     }
   }
   return results;
@@ -123,7 +126,8 @@ Irradiance Oracle::FormFactor(const Receiver& receiver, int face) const {
   BuildContour(query, options_.engine, *workspace);
   return EvaluateContour(
       query, workspace->contour,
-      {options_.method, Emission::kExitance, options_.formula});
+      {options_.method, Emission::kExitance, options_.formula},
+      workspace->evaluation);
 }
 
 VisibleContour Oracle::Contour(const Receiver& receiver) const {

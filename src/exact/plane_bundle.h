@@ -10,12 +10,9 @@
 #include <cstdint>
 #include <cstring>
 
-#ifdef __AVX__
-#include <immintrin.h>
-#endif
-
 #include "exact/crossing.h"
 #include "exact/filter.h"
+#include "exact/lanes.h"
 #include "exact/sign.h"
 
 namespace truelux {
@@ -78,11 +75,6 @@ class PlaneBundle {
   }
 
  private:
-  static constexpr std::size_t kLanes = 4;
-  // GCC and Clang compute with these lane by lane on any processor.
-  using Lanes [[gnu::vector_size(kLanes * sizeof(double))]] = double;
-  using Bits [[gnu::vector_size(kLanes * sizeof(double))]] = std::int64_t;
-
   struct Quad {
     Lanes x{};
     Lanes y{};
@@ -90,19 +82,6 @@ class PlaneBundle {
     Lanes a{};
     Lanes b{};
   };
-
-  /// Bit k: lane k, which is 0 or has all its bits set.
-  static std::uint32_t Gather(const Bits& lanes) {
-#ifdef __AVX__  // one instruction, which no portable expression leads to
-    __m256d raw;
-    std::memcpy(&raw, &lanes, sizeof raw);
-    return static_cast<std::uint32_t>(_mm256_movemask_pd(raw));
-#else
-    constexpr Bits kBit{1, 2, 4, 8};
-    const Bits bits = lanes & kBit;
-    return static_cast<std::uint32_t>(bits[0] | bits[1] | bits[2] | bits[3]);
-#endif
-  }
 
   template <bool kFiltered>
   void FilterQuad(std::size_t q, const FilteredDirection& d,

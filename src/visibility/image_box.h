@@ -6,35 +6,59 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "exact/filter.h"
+#include "exact/lanes.h"
 
 namespace truelux {
 
-/// A closed box that contains the image; by default the whole plane.
-struct ImageBox {
-  double x_min = -HUGE_VAL;
-  double x_max = HUGE_VAL;
-  double y_min = -HUGE_VAL;
-  double y_max = HUGE_VAL;
+/// A closed octagon that contains the image: bounds of x, y, x + y and x - y;
+/// by default the whole plane.
+class ImageBox {
+ public:
+  ImageBox() = default;
+
+  /// Requires RoundUpward.
+  ImageBox(double x_min, double x_max, double y_min, double y_max)
+      : lo_{x_min, y_min, -(-x_min - y_min), -(y_max - x_min)},
+        hi_{x_max, y_max, x_max + y_max, x_max - y_min} {}
+
+  [[nodiscard]] double x_min() const { return lo_[0]; }
+
+  [[nodiscard]] double x_max() const { return hi_[0]; }
+
+  [[nodiscard]] double y_min() const { return lo_[1]; }
+
+  [[nodiscard]] double y_max() const { return hi_[1]; }
 
   [[nodiscard]] bool Meets(const ImageBox& other) const {
-    return x_min <= other.x_max && other.x_min <= x_max &&
-           y_min <= other.y_max && other.y_min <= y_max;
+    return LessOrEqual(lo_, other.hi_) && LessOrEqual(other.lo_, hi_);
   }
 
   /// Whether the other box lies in this one.
   [[nodiscard]] bool Contains(const ImageBox& other) const {
-    return x_min <= other.x_min && other.x_max <= x_max &&
-           y_min <= other.y_min && other.y_max <= y_max;
+    return LessOrEqual(lo_, other.lo_) && LessOrEqual(other.hi_, hi_);
   }
 
   void Include(const ImageBox& other) {
-    x_min = std::min(x_min, other.x_min);
-    x_max = std::max(x_max, other.x_max);
-    y_min = std::min(y_min, other.y_min);
-    y_max = std::max(y_max, other.y_max);
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      lo_[k] = std::min(lo_[k], other.lo_[k]);
+      hi_[k] = std::max(hi_[k], other.hi_[k]);
+    }
   }
+
+ private:
+  static bool LessOrEqual(const LaneArray& a, const LaneArray& b) {
+    Lanes left;
+    Lanes right;
+    Load(a, left);
+    Load(b, right);
+    return Gather(left <= right) == (1U << kLanes) - 1;
+  }
+
+  LaneArray lo_{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  LaneArray hi_{HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
 };
 
 /// Where directions meet a plane parallel to the source's, in two of the three
@@ -74,10 +98,10 @@ class ImageChart {
     const double x_margin = 1.5 * q * (d.v.error + std::fabs(x) * spread);
     const double y_margin = 1.5 * q * (d.v.error + std::fabs(y) * spread);
     // Not the difference, which would be rounded up, too.
-    const ImageBox box{-(x_margin - x), x + x_margin, -(y_margin - y),
-                       y + y_margin};
-    const bool numbers = box.x_min <= box.x_max && box.y_min <= box.y_max;
-    return numbers ? box : ImageBox{};
+    const ImageBox box(-(x_margin - x), x + x_margin, -(y_margin - y),
+                       y + y_margin);
+    // The whole plane if there is a NaN, also from sums of infinities.
+    return box.Meets(box) ? box : ImageBox();
   }
 
  private:

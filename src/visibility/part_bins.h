@@ -26,11 +26,11 @@ class PartBins {
   void Build(std::span<const ImageBox> boxes, const ImageBox& frame) {
     words_ = (boxes.size() + kWordBits - 1) / kWordBits;
     bins_ = std::clamp(boxes.size() / 2, std::size_t{1}, std::size_t{64});
-    x_.Start(frame.x_min, frame.x_max, bins_, words_);
-    y_.Start(frame.y_min, frame.y_max, bins_, words_);
+    x_.Start(frame.x_min(), frame.x_max(), bins_, words_);
+    y_.Start(frame.y_min(), frame.y_max(), bins_, words_);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      x_.Mark(i, boxes[i].x_min, boxes[i].x_max);
-      y_.Mark(i, boxes[i].y_min, boxes[i].y_max);
+      x_.Mark(i, boxes[i].x_min(), boxes[i].x_max());
+      y_.Mark(i, boxes[i].y_min(), boxes[i].y_max());
     }
     x_.Finish();
     y_.Finish();
@@ -41,16 +41,16 @@ class PartBins {
   /// whether it always did.
   template <class Visit>
   bool ForEach(const ImageBox& box, Visit&& visit) const {
-    return Intersect({x_.BeginUpTo(box.x_max), x_.EndFrom(box.x_min),
-                      y_.BeginUpTo(box.y_max), y_.EndFrom(box.y_min)},
+    return Intersect({x_.BeginUpTo(box.x_max()), x_.EndFrom(box.x_min()),
+                      y_.BeginUpTo(box.y_max()), y_.EndFrom(box.y_min())},
                      visit);
   }
 
   /// The same for every box that may contain what of `box` is in the frame.
   template <class Visit>
   bool ForEachAround(const ImageBox& box, Visit&& visit) const {
-    return Intersect({x_.BeginUpTo(box.x_min), x_.EndFrom(box.x_max),
-                      y_.BeginUpTo(box.y_min), y_.EndFrom(box.y_max)},
+    return Intersect({x_.BeginUpTo(box.x_min()), x_.EndFrom(box.x_max()),
+                      y_.BeginUpTo(box.y_min()), y_.EndFrom(box.y_max())},
                      visit);
   }
 

@@ -53,7 +53,7 @@ TEST(ImageChart, BoxContainsTheTrueImage) {
       ++missed;
       EXPECT_TRUE(depth < Exact(0));
     }
-    if (!std::isfinite(box.x_min)) continue;
+    if (!std::isfinite(box.x_min())) continue;
     ++bounded;
     ASSERT_TRUE(Exact(0) < depth);
     // The dropped coordinate is the normal's longest.
@@ -64,11 +64,14 @@ TEST(ImageChart, BoxContainsTheTrueImage) {
     }
     const Exact& x = dropped == 0 ? p[1] : p[0];
     const Exact& y = dropped == 2 ? p[1] : p[2];
-    ASSERT_TRUE(Exact(box.x_min) * depth <= x) << "sample " << i;
-    ASSERT_TRUE(x <= Exact(box.x_max) * depth) << "sample " << i;
-    ASSERT_TRUE(Exact(box.y_min) * depth <= y) << "sample " << i;
-    ASSERT_TRUE(y <= Exact(box.y_max) * depth) << "sample " << i;
-    widest = std::max(widest, box.x_max - box.x_min);
+    ASSERT_TRUE(Exact(box.x_min()) * depth <= x) << "sample " << i;
+    ASSERT_TRUE(x <= Exact(box.x_max()) * depth) << "sample " << i;
+    ASSERT_TRUE(Exact(box.y_min()) * depth <= y) << "sample " << i;
+    ASSERT_TRUE(y <= Exact(box.y_max()) * depth) << "sample " << i;
+    // The diagonal bounds, too: the box meets that of the true point alone.
+    const ImageBox point(box.x_max(), box.x_max(), box.y_min(), box.y_min());
+    ASSERT_TRUE(box.Meets(point)) << "sample " << i;
+    widest = std::max(widest, box.x_max() - box.x_min());
   }
   EXPECT_GT(bounded, 5000);
   EXPECT_GT(missed, 5000);
@@ -82,22 +85,21 @@ TEST(PartBins, FindsEveryBoxThatMeetsInsideTheFrame) {
   std::size_t all_boxes = 0;
   PartBins bins;
   for (int i = 0; i < 400; ++i) {
+    const RoundUpward rounding;
     const auto box = [&](double size) {
-      ImageBox b;
-      b.x_min = random.Uniform(-2, 2);
-      b.x_max = b.x_min + random.Uniform(0, size);
-      b.y_min = random.Uniform(-2, 2);
-      b.y_max = b.y_min + random.Uniform(0, size);
-      if (random.OneIn(20)) b.x_min = -kInfinity;
-      if (random.OneIn(20)) b.y_max = kInfinity;
-      if (random.OneIn(50)) b = ImageBox{};
-      return b;
+      double x_min = random.Uniform(-2, 2);
+      const double x_max = x_min + random.Uniform(0, size);
+      const double y_min = random.Uniform(-2, 2);
+      double y_max = y_min + random.Uniform(0, size);
+      if (random.OneIn(20)) x_min = -kInfinity;
+      if (random.OneIn(20)) y_max = kInfinity;
+      if (random.OneIn(50)) return ImageBox();
+      return ImageBox(x_min, x_max, y_min, y_max);
     };
     ImageBox frame{-1, 1, -1, 1};
     if (i % 10 == 1) frame = {};
     if (i % 10 == 2) frame = {0.5, 0.5, -1, 1};
     if (i % 10 == 3) frame = {-kInfinity, 1, -1, kInfinity};
-    const RoundUpward rounding;
     std::vector<ImageBox> boxes;
     const int count = random.Integer(0, 300);
     for (int k = 0; k < count; ++k)

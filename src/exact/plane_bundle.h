@@ -40,10 +40,15 @@ struct BundleSides {
 /// 0: they have neither sign.
 class PlaneBundle {
  public:
+  // What is not used is not cleared: it would cost more than what is.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+  PlaneBundle() {}
+
   /// Adds a plane with its id.
   void Add(const FilteredPlane& plane, int id) {
     Quad& quad = quads_[size_ / kLanes];
     const std::size_t lane = size_ % kLanes;
+    if (lane == 0) quad = Quad{};
     quad.x[lane] = plane.v.x;
     quad.y[lane] = plane.v.y;
     quad.z[lane] = plane.v.z;
@@ -76,11 +81,11 @@ class PlaneBundle {
 
  private:
   struct Quad {
-    Lanes x{};
-    Lanes y{};
-    Lanes z{};
-    Lanes a{};
-    Lanes b{};
+    Lanes x;
+    Lanes y;
+    Lanes z;
+    Lanes a;
+    Lanes b;
   };
 
   template <bool kFiltered>
@@ -101,7 +106,7 @@ class PlaneBundle {
   }
 
   std::array<Quad, BundleSides::kMaxPlanes / kLanes> quads_;
-  std::array<int, BundleSides::kMaxPlanes> ids_{};
+  std::array<int, BundleSides::kMaxPlanes> ids_;
   std::size_t size_ = 0;
 };
 

@@ -69,16 +69,14 @@ int BasicViewGeometry<kKind>::AddPlane(const PlaneRecipe& recipe) {
 }
 
 template <PredicateKind kKind>
-int BasicViewGeometry<kKind>::VertexDirection(int vertex) {
-  VertexEntry& entry = vertex_directions_[Index(vertex)];
-  if (entry.generation != generation_) {
-    entry = {generation_, direction_count()};
-    directions_.push_back(
-        {FilteredDifference(view_.position, view_.vertices[Index(vertex)]),
-         {.kind = DirectionRecipe::Kind::kVertex, .a = vertex},
-         kNotMade});
-  }
-  return entry.direction;
+int BasicViewGeometry<kKind>::AddVertexDirection(int vertex) {
+  const int id = direction_count();
+  vertex_directions_[Index(vertex)] = {generation_, id};
+  directions_.push_back(
+      {FilteredDifference(view_.position, view_.vertices[Index(vertex)]),
+       {.kind = DirectionRecipe::Kind::kVertex, .a = vertex},
+       kNotMade});
+  return id;
 }
 
 template <PredicateKind kKind>

@@ -54,7 +54,11 @@ class BasicViewGeometry {
   int AddPlane(const PlaneRecipe& recipe);
 
   /// The id of the direction to a scene vertex.
-  int VertexDirection(int vertex);
+  int VertexDirection(int vertex) {
+    const VertexEntry& entry = vertex_directions_[Index(vertex)];
+    return entry.generation == generation_ ? entry.direction
+                                           : AddVertexDirection(vertex);
+  }
 
   /// Adds a direction that is no vertex and returns its id. kCrossing must
   /// not be added: no predicate needs it.
@@ -223,6 +227,7 @@ class BasicViewGeometry {
     return FilteredDot(plane, direction);
   }
 
+  int AddVertexDirection(int vertex);
   Sign PlaneSideSlowly(int plane, int direction);
   void DecideSides(int bundle, int direction, std::uint32_t open,
                    BundleSides& sides);

@@ -72,8 +72,7 @@ int ConeMaker<Geometry>::EdgePlane(int edge) {
 }
 
 template <class Geometry>
-void ConeMaker<Geometry>::Complete(Cone& cone) {
-  if (cone.bundle != Cone::kNoPlane) return;
+void ConeMaker<Geometry>::MakePlanes(Cone& cone) {
   for (std::size_t k = 0; k < cone.size; ++k) {
     if (cone.planes[k] == Cone::kNoPlane) {
       cone.planes[k] = EdgePlane(cone.edges[k]);

@@ -70,7 +70,9 @@ class ConeMaker {
   Cone InFrontOf(int source, int piece, const CornerSigns& sides);
 
   /// Makes a cone's planes and their bundle, if that has not been done.
-  void Complete(Cone& cone);
+  void Complete(Cone& cone) {
+    if (cone.bundle == Cone::kNoPlane) MakePlanes(cone);
+  }
 
   /// The plane of a scene edge, normal towards its piece.
   int EdgePlane(int edge);
@@ -93,6 +95,8 @@ class ConeMaker {
   };
 
   static constexpr signed char kUnknown = 2;
+
+  void MakePlanes(Cone& cone);
 
   template <class MakeCrossing>
   Cone Clip(int piece, const CornerSigns& sides, int cut,

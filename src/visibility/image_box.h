@@ -33,12 +33,12 @@ class ImageBox {
   [[nodiscard]] double y_max() const { return hi_[1]; }
 
   [[nodiscard]] bool Meets(const ImageBox& other) const {
-    return LessOrEqual(lo_, other.hi_) && LessOrEqual(other.lo_, hi_);
+    return AllLessOrEqual(lo_, other.hi_, other.lo_, hi_);
   }
 
   /// Whether the other box lies in this one.
   [[nodiscard]] bool Contains(const ImageBox& other) const {
-    return LessOrEqual(lo_, other.lo_) && LessOrEqual(other.hi_, hi_);
+    return AllLessOrEqual(lo_, other.lo_, other.hi_, hi_);
   }
 
   void Include(const ImageBox& other) {
@@ -49,12 +49,18 @@ class ImageBox {
   }
 
  private:
-  static bool LessOrEqual(const LaneArray& a, const LaneArray& b) {
+  /// Whether a <= b and c <= d; without a branch, as no answer is likely.
+  static bool AllLessOrEqual(const LaneArray& a, const LaneArray& b,
+                             const LaneArray& c, const LaneArray& d) {
     Lanes left;
     Lanes right;
     Load(a, left);
     Load(b, right);
-    return Gather(left <= right) == (1U << kLanes) - 1;
+    const LaneFlags first = left <= right;
+    Load(c, left);
+    Load(d, right);
+    const LaneFlags second = left <= right;
+    return Gather(first & second) == (1U << kLanes) - 1;
   }
 
   LaneArray lo_{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};

@@ -10,6 +10,9 @@ std::size_t Index(int i) {
   return static_cast<std::size_t>(i);
 }
 
+/// With fewer blockers, looking for hidden ones costs more than it saves.
+constexpr std::size_t kManyBlockers = 32;
+
 }  // namespace
 
 template <class Geometry>
@@ -143,31 +146,27 @@ std::uint32_t SourceContour<Geometry>::StartEdges(const Owner& owner) {
 template <class Geometry>
 bool SourceContour<Geometry>::Hide(const Owner& owner, std::size_t p,
                                    std::uint32_t& open) {
-  const std::size_t size = owner.part->cone.size;
+  // Loops of a fixed length and no branches: nothing here can be predicted.
+  const Cone& own = owner.part->cone;
+  const std::size_t size = own.size;
   const auto next = [size](std::size_t k) { return k + 1 < size ? k + 1 : 0; };
   const ImageBox& box = parts_.blocker_boxes()[p];
   std::uint32_t near = 0;
-  std::uint32_t ends = 0;
-  for (std::uint32_t bits = open; bits != 0; bits &= bits - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(bits));
-    if (!boxes_[k].Meets(box)) continue;
-    near |= 1U << k;
-    ends |= 1U << k | 1U << next(k);
-  }
+  for (std::size_t k = 0; k < size; ++k)
+    near |= (boxes_[k].Meets(box) ? 1U : 0U) << k;
+  near &= open;
   if (near == 0) return true;
   Part& blocker = parts_.blockers()[p];
   cones_.Complete(blocker.cone);
-  std::uint32_t outside = ~0U;
-  for (std::uint32_t bits = ends; bits != 0; bits &= bits - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(bits));
-    geometry_.FilterSides(blocker.cone.bundle, owner.part->cone.directions[k],
-                          sides_[k]);
-    outside &= sides_[k].negative;
+  for (std::size_t k = 0; k < size; ++k) {
+    geometry_.FilterSides(blocker.cone.bundle, own.directions[k], sides_[k]);
   }
-  if (outside != 0) return true;
+  for (std::size_t k = 0; k < size; ++k) {
+    const bool outside = (sides_[k].negative & sides_[next(k)].negative) != 0;
+    near &= ~((outside ? 1U : 0U) << k);
+  }
   for (std::uint32_t bits = near; bits != 0; bits &= bits - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(bits));
-    if ((sides_[k].negative & sides_[next(k)].negative) != 0) continue;
     Cover cover;
     if (!CoverOf(geometry_, edges_[k], blocker.cone, sides_[k], sides_[next(k)],
                  cover)) {
@@ -260,7 +259,9 @@ const std::vector<ViewArc>& SourceContour<Geometry>::FindArcs() {
   arcs_.clear();
   if (parts_.hidden()) return arcs_;
   bins_.Build(parts_.blocker_boxes(), parts_.source_box());
-  parts_.DropHiddenBlockers(bins_);
+  if (parts_.blockers().size() >= kManyBlockers) {
+    parts_.DropHiddenBlockers(bins_);
+  }
   NumberCandidates();
   const bool one_cone = parts_.sources().size() == 1;
   const auto sweep = [&](std::span<Part> parts, bool are_blockers) {

@@ -49,31 +49,23 @@ bool SourceParts<Geometry>::SetSource(int facet) {
 }
 
 template <class Geometry>
-auto SourceParts<Geometry>::EntryOf(int direction) -> DirectionEntry& {
+void SourceParts<Geometry>::FindEntry(int direction) {
   if (Index(direction) >= entries_.size()) {
     entries_.resize(Index(geometry_.direction_count()));
   }
   DirectionEntry& entry = entries_[Index(direction)];
-  if (entry.generation != source_generation_) {
-    const FilteredDirection& d = geometry_.DirectionFilter(direction);
-    entry.generation = source_generation_;
-    entry.box = chart_.Of(d, entry.misses);
-    entry.sides = kNoSides;
-  }
-  return entry;
+  entry.generation = source_generation_;
+  entry.box = chart_.Of(geometry_.DirectionFilter(direction), entry.misses);
+  entry.sides = kNoSides;
 }
 
 template <class Geometry>
-BundleSides& SourceParts<Geometry>::SidesOfSource(int direction) {
-  DirectionEntry& entry = EntryOf(direction);
-  if (entry.sides == kNoSides) {
-    entry.sides = static_cast<int>(sides_.size());
-    const int bundle = sources_.front().cone.bundle;
-    BundleSides& sides = sides_.emplace_back();
-    geometry_.FilterSides(bundle, direction, sides);
-    geometry_.CompleteSides(bundle, direction, sides);
-  }
-  return sides_[Index(entry.sides)];
+void SourceParts<Geometry>::FindSides(int direction, DirectionEntry& entry) {
+  entry.sides = static_cast<int>(sides_.size());
+  const int bundle = sources_.front().cone.bundle;
+  BundleSides& sides = sides_.emplace_back();
+  geometry_.FilterSides(bundle, direction, sides);
+  geometry_.CompleteSides(bundle, direction, sides);
 }
 
 template <class Geometry>

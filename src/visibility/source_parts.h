@@ -73,7 +73,11 @@ class SourceParts {
   ImageBox BoxOfEdge(int from, int to);
 
   /// The sides of a direction to the planes of a source that is one cone.
-  BundleSides& SidesOfSource(int direction);
+  BundleSides& SidesOfSource(int direction) {
+    DirectionEntry& entry = EntryOf(direction);
+    if (entry.sides == kNoSides) FindSides(direction, entry);
+    return sides_[static_cast<std::size_t>(entry.sides)];
+  }
 
   /// Whether a piece blocks the source with any part of it, hidden by other
   /// blockers or not.
@@ -92,7 +96,18 @@ class SourceParts {
 
   static constexpr int kNoSides = -1;
 
-  DirectionEntry& EntryOf(int direction);
+  /// Valid until it is asked for another direction.
+  DirectionEntry& EntryOf(int direction) {
+    const auto index = static_cast<std::size_t>(direction);
+    if (index >= entries_.size() ||
+        entries_[index].generation != source_generation_) {
+      FindEntry(direction);
+    }
+    return entries_[index];
+  }
+
+  void FindEntry(int direction);
+  void FindSides(int direction, DirectionEntry& entry);
   ImageBox BoxOf(const Cone& cone);
   bool IsApart(const Cone& cone);
 

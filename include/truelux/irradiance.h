@@ -3,6 +3,8 @@
 #ifndef TRUELUX_IRRADIANCE_H_
 #define TRUELUX_IRRADIANCE_H_
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -72,6 +74,12 @@ class Oracle {
   /// blockers can be; the statistics may then count fewer predicates.
   [[nodiscard]] std::vector<Irradiance> Evaluate(
       std::span<const Receiver> receivers) const;
+
+  /// The same, one result after the other: take(i, result of receivers[i]).
+  /// What take throws ends it.
+  void Evaluate(
+      std::span<const Receiver> receivers,
+      const std::function<void(std::size_t, const Irradiance&)>& take) const;
 
   /// The form factor of one face [1]: E with that face's M = 1 and the
   /// others' 0, all faces blocking as ever. face: its number, from 1.

@@ -8,6 +8,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -21,9 +22,14 @@ namespace {
 constexpr std::size_t kBlockRows = 256;
 constexpr std::size_t kBlockBytes = std::size_t{1} << 20;
 
+/// Consecutive rows that one thread evaluates, so that the oracle can use that
+/// they are often near each other; few enough for all threads to have some.
+constexpr std::size_t kShareRows = 16;
+
 /// Consecutive rows on their way through the pipeline.
 struct Block {
   std::vector<ReceiverRow> rows;
+  std::vector<Receiver> receivers;  ///< theirs
   std::vector<Irradiance> results;
   std::string text;  ///< the rows with their results
 };
@@ -78,13 +84,26 @@ class BlockReader {
 /// Second stage, parallel between blocks and within one.
 void EvaluateBlock(const Oracle& oracle, Block& block, Progress& progress) {
   block.results.resize(block.rows.size());
+  block.receivers.clear();
+  for (const ReceiverRow& row : block.rows)
+    block.receivers.push_back(row.receiver);
+  const std::size_t share_count =
+      (block.rows.size() + kShareRows - 1) / kShareRows;
   // Isolated: a thread that waits for the rest of its block must not take up
   // the first stage meanwhile and wait there for input.
   tbb::this_task_arena::isolate([&] {
-    tbb::parallel_for(std::size_t{0}, block.rows.size(), [&](std::size_t i) {
+    tbb::parallel_for(std::size_t{0}, share_count, [&](std::size_t share) {
+      const std::size_t first = share * kShareRows;
+      const auto receivers =
+          std::span(block.receivers)
+              .subspan(first, std::min(kShareRows, block.rows.size() - first));
       StopIfInterrupted();
-      block.results[i] = oracle.Evaluate(block.rows[i].receiver);
-      progress.Advance();
+      oracle.Evaluate(receivers,
+                      [&](std::size_t i, const Irradiance& irradiance) {
+                        block.results[first + i] = irradiance;
+                        progress.Advance();
+                        StopIfInterrupted();
+                      });
     });
   });
   for (std::size_t i = 0; i < block.rows.size(); ++i) {

@@ -90,32 +90,44 @@ Oracle::Oracle(Scene scene, const OracleOptions& options)
       options_(options),
       prepared_(std::make_shared<Prepared>(scene_)) {}
 
-std::vector<Irradiance> Oracle::Evaluate(
-    std::span<const Receiver> receivers) const {
+void Oracle::Evaluate(
+    std::span<const Receiver> receivers,
+    const std::function<void(std::size_t, const Irradiance&)>& take) const {
+  for (const Receiver& receiver : receivers)
+    RequireReceiver(receiver, scene_);
   const EvaluationQuery evaluation{options_.method, options_.emission,
                                    options_.formula};
+  const auto workspace = prepared_->Borrow();
+  ContourQuery query{scene_, {}, 0, true};
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    if (i % kBlockSize == 0) {
+      workspace->builder.StartBlock(
+          receivers.subspan(i, std::min(kBlockSize, receivers.size() - i)));
+    }
+    query.receiver = receivers[i];
+    BuildContour(query, options_.engine, *workspace);
+    take(i, EvaluateContour(query, workspace->contour, evaluation,
+                            workspace->evaluation));
+  }
+}
+
+std::vector<Irradiance> Oracle::Evaluate(
+    std::span<const Receiver> receivers) const {
   std::vector<Irradiance> results;
   results.reserve(receivers.size());
-  const auto workspace = prepared_->Borrow();
-  ContourQuery query{scene_, {}, 0};
-  for (std::size_t first = 0; first < receivers.size(); first += kBlockSize) {
-    const auto block = receivers.subspan(
-        first, std::min(kBlockSize, receivers.size() - first));
-    for (const Receiver& receiver : block)
-      RequireReceiver(receiver, scene_);
-    workspace->builder.StartBlock(block);
-    for (const Receiver& receiver : block) {
-      query.receiver = receiver;
-      BuildContour(query, options_.engine, *workspace);
-      results.push_back(EvaluateContour(query, workspace->contour, evaluation,
-                                        workspace->evaluation));
-    }
-  }
+  Evaluate(receivers, [&results](std::size_t, const Irradiance& result) {
+    results.push_back(result);
+  });
   return results;
 }
 
 Irradiance Oracle::Evaluate(const Receiver& receiver) const {
-  return Evaluate(std::span(&receiver, 1)).front();
+  Irradiance irradiance;
+  Evaluate(std::span(&receiver, 1),
+           [&irradiance](std::size_t, const Irradiance& result) {
+             irradiance = result;
+           });
+  return irradiance;
 }
 
 Irradiance Oracle::FormFactor(const Receiver& receiver, int face) const {

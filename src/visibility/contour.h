@@ -56,6 +56,9 @@ struct ContourQuery {
   /// Face number of the only face taken as a source (also if black); 0: every
   /// face that emits in some channel.
   int only_source = 0;
+  /// Whether arcs between two emitting faces may be left out where both emit
+  /// the same: then the sum over all sources is right, each one's is not.
+  bool join_sources = false;
 };
 
 /// The recipes' input for a query; it refers to the query's scene.

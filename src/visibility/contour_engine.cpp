@@ -6,6 +6,7 @@
 #include "visibility/cone.h"
 #include "visibility/contour_writer.h"
 #include "visibility/source_contour.h"
+#include "visibility/source_join.h"
 #include "visibility/source_parts.h"
 
 namespace truelux {
@@ -62,6 +63,7 @@ class BasicContourBuilder<kKind>::Impl {
         cones_(geometry_, engine.pieces()),
         parts_(engine.scene(), engine.pieces(), geometry_, cones_),
         arcs_(engine.pieces(), geometry_, cones_, parts_),
+        join_(engine.scene(), engine.pieces(), geometry_),
         writer_(engine.scene(), engine.pieces(), geometry_),
         ignored_(engine.scene()) {}
 
@@ -82,7 +84,8 @@ class BasicContourBuilder<kKind>::Impl {
     geometry_.SetReceiver(query.receiver.position, query.receiver.normal);
     cones_.SetReceiver();
     ignored_.SetOnFace(query.receiver.on_face);
-    writer_.Start(contour);
+    arcs_of_all_.clear();
+    ends_.clear();
     sources_ = 0;
     blockers_ = 0;
     const Receiver& receiver = query.receiver;
@@ -113,6 +116,15 @@ class BasicContourBuilder<kKind>::Impl {
         FinishSource(f);
       }
     }
+    if (query.join_sources && ends_.size() > 1) Join();
+    writer_.Start(contour);
+    std::size_t first = 0;
+    for (const SourceEnd& source : ends_) {
+      writer_.WriteSource(
+          source.facet,
+          std::span(arcs_of_all_).subspan(first, source.end - first));
+      first = source.end;
+    }
     contour.statistics = geometry_.statistics();
     contour.statistics.sources = sources_;
     contour.statistics.blockers = blockers_;
@@ -120,6 +132,13 @@ class BasicContourBuilder<kKind>::Impl {
   }
 
  private:
+  /// The arcs of a facet end before entry `end` of all arcs, where those of
+  /// the next one begin.
+  struct SourceEnd {
+    int facet;
+    std::size_t end;
+  };
+
   /// What a block of receivers shares towards one emitter.
   struct SharedCut {
     std::uint64_t block = 0;  ///< valid if it is the current one
@@ -147,7 +166,22 @@ class BasicContourBuilder<kKind>::Impl {
 
   void FinishSource(int facet) {
     blockers_ += parts_.blockers().size();
-    writer_.WriteSource(facet, arcs_.FindArcs());
+    arcs_.AppendArcs(arcs_of_all_);
+    ends_.push_back({facet, arcs_of_all_.size()});
+  }
+
+  /// Takes out the arcs between sources of equal emission.
+  void Join() {
+    join_.FindPairs(arcs_of_all_, dropped_);
+    std::size_t kept = 0;
+    std::size_t next = 0;
+    for (SourceEnd& source : ends_) {
+      for (; next < source.end; ++next) {
+        if (!dropped_[next]) arcs_of_all_[kept++] = arcs_of_all_[next];
+      }
+      source.end = kept;
+    }
+    arcs_of_all_.resize(kept);
   }
 
   /// What the block's receivers share; null without a block.
@@ -169,7 +203,11 @@ class BasicContourBuilder<kKind>::Impl {
   ConeMaker<BasicViewGeometry<kKind>> cones_;
   SourceParts<BasicViewGeometry<kKind>> parts_;
   SourceContour<BasicViewGeometry<kKind>> arcs_;
+  SourceJoin<BasicViewGeometry<kKind>> join_;
   ContourWriter<BasicViewGeometry<kKind>> writer_;
+  std::vector<ViewArc> arcs_of_all_;  ///< of the receiver's sources, in order
+  std::vector<SourceEnd> ends_;
+  std::vector<bool> dropped_;  ///< per arc
   IgnoredFacetCache ignored_;
   std::uint64_t sources_ = 0;
   std::uint64_t blockers_ = 0;

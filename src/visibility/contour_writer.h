@@ -4,6 +4,7 @@
 #ifndef TRUELUX_VISIBILITY_CONTOUR_WRITER_H_
 #define TRUELUX_VISIBILITY_CONTOUR_WRITER_H_
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -34,7 +35,7 @@ class ContourWriter {
     direction_index_.clear();
   }
 
-  void WriteSource(int facet, const std::vector<ViewArc>& arcs) {
+  void WriteSource(int facet, std::span<const ViewArc> arcs) {
     if (arcs.empty()) return;
     plane_index_.resize(static_cast<std::size_t>(geometry_.plane_count()),
                         kNotWritten);

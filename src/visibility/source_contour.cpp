@@ -187,8 +187,8 @@ void SourceContour<Geometry>::AddArc(const Owner& owner, std::size_t k,
                                      const VisiblePiece& piece) {
   const bool horizon = edges_[k].plane == cones_.horizon();
   const Cone& cone = owner.part->cone;
-  arcs_.push_back({edges_[k], piece, horizon ? -1 : cone.piece,
-                   owner.is_blocker ? kNoEdge : cone.edges[k]});
+  arcs_->push_back({edges_[k], piece, horizon ? -1 : cone.piece,
+                    owner.is_blocker ? kNoEdge : cone.edges[k]});
 }
 
 /// The arcs on the edges of a part, if the source is one cone. Exactly one
@@ -255,9 +255,9 @@ void SourceContour<Geometry>::SweepEdgeOfMany(const Owner& owner,
 }
 
 template <class Geometry>
-const std::vector<ViewArc>& SourceContour<Geometry>::FindArcs() {
-  arcs_.clear();
-  if (parts_.hidden()) return arcs_;
+void SourceContour<Geometry>::AppendArcs(std::vector<ViewArc>& arcs) {
+  if (parts_.hidden()) return;
+  arcs_ = &arcs;
   bins_.Build(parts_.blocker_boxes(), parts_.source_box());
   if (parts_.blockers().size() >= kManyBlockers) {
     parts_.DropHiddenBlockers(bins_);
@@ -278,7 +278,6 @@ const std::vector<ViewArc>& SourceContour<Geometry>::FindArcs() {
   };
   sweep(parts_.sources(), false);
   sweep(parts_.blockers(), true);
-  return arcs_;
 }
 
 template class SourceContour<ViewGeometry>;

@@ -31,9 +31,9 @@ class SourceContour {
   SourceContour(const ConvexPieces& pieces, Geometry& geometry,
                 ConeMaker<Geometry>& cones, SourceParts<Geometry>& parts);
 
-  /// The arcs that bound what is visible of the source that `parts` holds;
-  /// none if nothing is. Valid until the next call.
-  const std::vector<ViewArc>& FindArcs();
+  /// Appends the arcs that bound what is visible of the source that `parts`
+  /// holds; none if nothing is.
+  void AppendArcs(std::vector<ViewArc>& arcs);
 
  private:
   /// A part whose edges are being swept, and which it is.
@@ -65,7 +65,7 @@ class SourceContour {
   SourceParts<Geometry>& parts_;
   EdgeSweep<Geometry> sweep_;
   PartBins bins_;
-  std::vector<ViewArc> arcs_;
+  std::vector<ViewArc>* arcs_ = nullptr;  ///< of the call that is running
 
   // Of the part that is being swept, per edge of its cone.
   std::array<OpenRange<Geometry>, Cone::kMaxEdges> ranges_;

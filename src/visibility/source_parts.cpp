@@ -36,6 +36,11 @@ bool SourceParts<Geometry>::SetSource(int facet) {
   const int first = pieces_.FirstPieceOf(facet);
   const auto count = static_cast<int>(pieces_.PiecesOf(facet).size());
   for (int piece = first; piece < first + count; ++piece) {
+    // Its corners lie in its plane, without arithmetic.
+    for (const int vertex : pieces_.CornersOf(pieces_.pieces()[Index(piece)])) {
+      EntryOf(geometry_.VertexDirection(vertex)).front =
+          static_cast<signed char>(Sign::kZero);
+    }
     if (auto cone = cones_.AboveHorizon(piece)) {
       cones_.Complete(*cone);
       sources_.push_back({*cone, {}});
@@ -56,7 +61,18 @@ void SourceParts<Geometry>::FindEntry(int direction) {
   DirectionEntry& entry = entries_[Index(direction)];
   entry.generation = source_generation_;
   entry.box = chart_.Of(geometry_.DirectionFilter(direction), entry.misses);
+  entry.front = kUnknown;
   entry.sides = kNoSides;
+}
+
+template <class Geometry>
+Sign SourceParts<Geometry>::FrontSide(int vertex) {
+  DirectionEntry& entry = EntryOf(geometry_.VertexDirection(vertex));
+  if (entry.front == kUnknown) {
+    entry.front =
+        static_cast<signed char>(geometry_.VertexSide(plane_triangle_, vertex));
+  }
+  return static_cast<Sign>(entry.front);
 }
 
 template <class Geometry>
@@ -131,7 +147,7 @@ void SourceParts<Geometry>::AddBlocker(int piece, const ImageBox& box) {
   bool any_front = false;
   bool any_behind = false;
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    sides[k] = geometry_.VertexSide(plane_triangle_, corners[k]);
+    sides[k] = FrontSide(corners[k]);
     any_front = any_front || sides[k] == Sign::kPositive;
     any_behind = any_behind || sides[k] == Sign::kNegative;
   }

@@ -90,11 +90,13 @@ class SourceParts {
   struct DirectionEntry {
     std::uint64_t generation = 0;  ///< valid if it is the source's
     ImageBox box;
-    bool misses = false;   ///< certainly never meets the source's plane
-    int sides = kNoSides;  ///< index into sides_
+    bool misses = false;           ///< certainly never meets the source's plane
+    signed char front = kUnknown;  ///< sign of VertexSide, for a vertex
+    int sides = kNoSides;          ///< index into sides_
   };
 
   static constexpr int kNoSides = -1;
+  static constexpr signed char kUnknown = 2;
 
   /// Valid until it is asked for another direction.
   DirectionEntry& EntryOf(int direction) {
@@ -105,6 +107,9 @@ class SourceParts {
     }
     return entries_[index];
   }
+
+  /// Sign of VertexSide to the source's plane, asked once per source.
+  Sign FrontSide(int vertex);
 
   void FindEntry(int direction);
   void FindSides(int direction, DirectionEntry& entry);

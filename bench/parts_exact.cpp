@@ -6,6 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "exact/atan2.h"
 #include "exact/double_double.h"
 #include "support/portable_random.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 #include "exact/recipe.h"
@@ -100,6 +101,7 @@ ConvexPieces::ConvexPieces(const Scene& scene, int max_corners) {
   }
   first_piece_.push_back(static_cast<int>(pieces_.size()));
   LinkEdges();
+  NumberPlanes(scene);
 }
 
 void ConvexPieces::AddPiece(std::span<const int> corners, int facet,
@@ -144,6 +146,42 @@ void ConvexPieces::LinkEdges() {
     }
     begin = end;
   }
+}
+
+void ConvexPieces::NumberPlanes(const Scene& scene) {
+  // Sets of coplanar facets, each with a tree that leads to its number.
+  plane_number_.resize(scene.facets().size());
+  std::iota(plane_number_.begin(), plane_number_.end(), 0);
+  const auto number_of = [this](int facet) {
+    while (plane_number_[Index(facet)] != facet) {
+      int& parent = plane_number_[Index(facet)];
+      parent = plane_number_[Index(parent)];
+      facet = parent;
+    }
+    return facet;
+  };
+  const ReceiverView view{scene.vertices(), scene.triangles(), {}, {}};
+  const RecipeEvaluator<Interval> interval(view);
+  const RecipeEvaluator<Exact> exact(view);
+  const RoundUpward rounding;
+  for (int edge = 0; edge < static_cast<int>(corners_.size()); ++edge) {
+    const int other = NextSameEdge(edge);
+    const Piece& p = pieces_[Index(PieceOf(edge))];
+    const Piece& q = pieces_[Index(PieceOf(other))];
+    const int a = number_of(p.facet);
+    const int b = number_of(q.facet);
+    if (a == b) continue;
+    // They have an edge in common, so that one more corner decides.
+    const int third = (other - q.first_corner + 2) % q.corner_count;
+    const int vertex = corners_[Index(q.first_corner + third)];
+    auto sign = TrySign(interval.AboveTriangle(p.triangle, vertex));
+    if (!sign) sign = SignOf(exact.AboveTriangle(p.triangle, vertex));
+    if (*sign == Sign::kZero) {
+      plane_number_[Index(std::max(a, b))] = std::min(a, b);
+    }
+  }
+  for (int facet = 0; facet < static_cast<int>(plane_number_.size()); ++facet)
+    plane_number_[Index(facet)] = number_of(facet);
 }
 
 }  // namespace truelux

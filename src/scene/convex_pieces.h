@@ -64,6 +64,13 @@ class ConvexPieces {
     return next_same_edge_[static_cast<std::size_t>(edge)];
   }
 
+  /// Two facets with the same number lie in exactly the same plane. (Of those
+  /// with different numbers nothing is known: only facets that are connected
+  /// by edges are compared.)
+  [[nodiscard]] int PlaneNumber(int facet) const {
+    return plane_number_[static_cast<std::size_t>(facet)];
+  }
+
   /// The piece that an edge or corner belongs to.
   [[nodiscard]] int PieceOf(int corner) const {
     return piece_of_[static_cast<std::size_t>(corner)];
@@ -72,12 +79,14 @@ class ConvexPieces {
  private:
   void AddPiece(std::span<const int> corners, int facet, int triangle);
   void LinkEdges();
+  void NumberPlanes(const Scene& scene);
 
   std::vector<Piece> pieces_;
   std::vector<int> corners_;
   std::vector<int> piece_of_;        ///< per corner
   std::vector<int> next_same_edge_;  ///< per corner
   std::vector<int> first_piece_;     ///< per facet, and one more
+  std::vector<int> plane_number_;    ///< per facet
 };
 
 }  // namespace truelux

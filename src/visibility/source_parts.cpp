@@ -101,9 +101,19 @@ ImageBox SourceParts<Geometry>::BoxOfEdge(int from, int to) {
 }
 
 template <class Geometry>
+bool SourceParts<Geometry>::IsEarlier(int facet) const {
+  const auto facets = scene_.facets();
+  return facets[Index(facet)].face < facets[Index(facet_)].face;
+}
+
+template <class Geometry>
 bool SourceParts<Geometry>::MayBlock(int piece, ImageBox& box) {
   const Piece& p = pieces_.pieces()[Index(piece)];
   if (hidden_ || p.facet == facet_) return false;
+  if (pieces_.PlaneNumber(p.facet) == pieces_.PlaneNumber(facet_) &&
+      !IsEarlier(p.facet)) {
+    return false;
+  }
   bool misses = true;
   const auto corners = pieces_.CornersOf(p);
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -146,17 +156,16 @@ void SourceParts<Geometry>::AddBlocker(int piece, const ImageBox& box) {
   CornerSigns sides{};
   bool any_front = false;
   bool any_behind = false;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
+  const bool coplanar =
+      pieces_.PlaneNumber(p.facet) == pieces_.PlaneNumber(facet_);
+  for (std::size_t k = 0; k < corners.size() && !coplanar; ++k) {
     sides[k] = FrontSide(corners[k]);
     any_front = any_front || sides[k] == Sign::kPositive;
     any_behind = any_behind || sides[k] == Sign::kNegative;
   }
   if (!any_front) {
     // In the source's plane it is wholly in front iff its face is earlier.
-    const auto facets = scene_.facets();
-    const bool earlier =
-        facets[Index(p.facet)].face < facets[Index(facet_)].face;
-    if (any_behind || !earlier) return;
+    if (any_behind || !IsEarlier(p.facet)) return;
   }
   if (cones_.ReceiverSide(piece) == Sign::kZero) return;
   Part part;

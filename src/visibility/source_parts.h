@@ -108,6 +108,9 @@ class SourceParts {
     return entries_[index];
   }
 
+  /// Whether a facet's face comes before the source's.
+  [[nodiscard]] bool IsEarlier(int facet) const;
+
   /// Sign of VertexSide to the source's plane, asked once per source.
   Sign FrontSide(int vertex);
 

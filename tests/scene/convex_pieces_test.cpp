@@ -115,6 +115,22 @@ TEST(ConvexPieces, SameEdgesAreLinkedWhateverTheirDirection) {
   EXPECT_EQ(shared, 3);
 }
 
+TEST(ConvexPieces, CoplanarFacesThatAreConnectedHaveOneNumber) {
+  // Three squares in a row, the second tilted by one ulp; a fourth coplanar
+  // with the first, on the other side; a fifth in the plane, but apart.
+  const double up = 0x1p-52;
+  const Scene scene = SceneOf({kSquare,
+                               {{1, 0, 0}, {2, 0, up}, {2, 1, up}, {1, 1, 0}},
+                               {{2, 0, up}, {3, 0, up}, {3, 1, up}, {2, 1, up}},
+                               {{0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}},
+                               {{5, 5, 0}, {6, 5, 0}, {6, 6, 0}}});
+  const ConvexPieces pieces(scene);
+  EXPECT_EQ(pieces.PlaneNumber(0), pieces.PlaneNumber(3));
+  EXPECT_NE(pieces.PlaneNumber(0), pieces.PlaneNumber(1));
+  EXPECT_NE(pieces.PlaneNumber(1), pieces.PlaneNumber(2));
+  EXPECT_NE(pieces.PlaneNumber(0), pieces.PlaneNumber(4));
+}
+
 TEST(ConvexPieces, AnEmptySceneHasNone) {
   EXPECT_TRUE(ConvexPieces(Scene()).pieces().empty());
 }

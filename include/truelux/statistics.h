@@ -26,7 +26,8 @@ struct Statistics {
   StageCounts edge_order;     ///< two crossings along one edge
 
   std::uint64_t sources = 0;   ///< sources in front and above the horizon
-  std::uint64_t blockers = 0;  ///< blocker parts, summed over sources
+  std::uint64_t blockers = 0;  ///< blocker parts, summed over sources, without
+                               ///< those that others were found to hide
   std::uint64_t arcs = 0;      ///< arcs of the visible contours
 
   std::uint64_t evaluated_double = 0;          ///< receivers ended by double

@@ -165,8 +165,8 @@ class BasicContourBuilder<kKind>::Impl {
   }
 
   void FinishSource(int facet) {
-    blockers_ += parts_.blockers().size();
     arcs_.AppendArcs(arcs_of_all_);
+    blockers_ += parts_.blockers().size();
     ends_.push_back({facet, arcs_of_all_.size()});
   }
 

@@ -83,7 +83,8 @@ std::vector<ExactArc> WithoutOppositeArcs(
     groups[{a.arc.source, WithoutSign(a.plane)}].push_back(a);
   }
   std::vector<ExactArc> kept;
-  for (const auto& [key, group] : groups) {
+  for (const auto& entry : groups) {
+    const Group& group = entry.second;
     const bool one_way = std::ranges::all_of(group, [&](const ExactArc& a) {
       return a.plane == group.front().plane;
     });

@@ -10,6 +10,8 @@
 
 #include "truelux/geometry.h"
 
+#include "exact/lanes.h"
+
 namespace truelux {
 
 /// A closed box by its least and its greatest coordinates; by default empty.
@@ -33,7 +35,7 @@ struct Box {
 
 /// Four boxes side by side, so that one instruction can test all of them.
 struct FourBoxes {
-  using Row = std::array<double, 4>;  ///< one coordinate of each box
+  using Row = LaneArray;  ///< one coordinate of each box
 
   /// lo x, lo y, lo z, hi x, hi y, hi z; by default of empty boxes.
   alignas(32) std::array<Row, 6> rows{};

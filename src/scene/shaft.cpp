@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
+
+#include "exact/lanes.h"
 
 namespace truelux {
 namespace {
@@ -14,15 +14,6 @@ using Vector = Vec3<double>;
 // Sources with more corners stand behind the corners of their box: each
 // half-space costs one look at each of these points.
 constexpr std::size_t kMaxPoints = 16;
-
-/// Four numbers that are handled at once.
-using Four [[gnu::vector_size(32)]] = double;
-using FourFlags [[gnu::vector_size(32)]] = std::int64_t;
-
-// By reference: without AVX a value of this type is no usual argument.
-void Load(const FourBoxes& boxes, std::size_t row, Four& four) {
-  std::memcpy(&four, &boxes.rows[row], sizeof four);
-}
 
 Vector ToVector(const std::array<double, 3>& p) {
   return {p[0], p[1], p[2]};
@@ -233,26 +224,23 @@ void Shaft::AddHorizon(const Box& receivers, const Vector& normal) {
 }
 
 unsigned Shaft::Kept(const FourBoxes& boxes) const {
-  FourFlags outside{0, 0, 0, 0};
-  Four x;
-  Four y;
-  Four z;
+  LaneFlags outside{0, 0, 0, 0};
+  Lanes x;
+  Lanes y;
+  Lanes z;
   for (std::size_t k = 0; k < 3; ++k) {
-    Load(boxes, k, x);
+    Load(boxes.rows[k], x);
     outside |= x > box_.hi[k];
-    Load(boxes, k + 3, x);
+    Load(boxes.rows[k + 3], x);
     outside |= x < box_.lo[k];
   }
   for (const HalfSpace& h : std::span(half_spaces_.data(), count_)) {
-    Load(boxes, h.rows[0], x);
-    Load(boxes, h.rows[1], y);
-    Load(boxes, h.rows[2], z);
+    Load(boxes.rows[h.rows[0]], x);
+    Load(boxes.rows[h.rows[1]], y);
+    Load(boxes.rows[h.rows[2]], z);
     outside |= h.normal.x * x + h.normal.y * y + h.normal.z * z < h.least;
   }
-  unsigned kept = 0;
-  for (unsigned i = 0; i < 4; ++i)
-    kept |= (outside[i] == 0 ? 1U : 0U) << i;
-  return kept;
+  return ~Gather(outside) & ((1U << kLanes) - 1);
 }
 
 bool Shaft::Keeps(const Box& box) const {

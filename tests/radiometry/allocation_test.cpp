@@ -1,0 +1,102 @@
+// One receiver after the other costs no memory once the storage has grown.
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/portable_random.h"
+#include "support/random_scene.h"
+#include "support/scenes.h"
+
+namespace {
+
+/// Counts the calls of operator new of this program, which replaces it.
+std::size_t allocations = 0;
+
+void* Counted(void* memory) {
+  ++allocations;
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+/// Not inline: else the compiler sees that what operator new returned is freed,
+/// and takes it for a mistake.
+[[gnu::noinline]] void Release(void* memory) {
+  std::free(memory);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  return Counted(std::malloc(size));
+}
+
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  const auto unit = static_cast<std::size_t>(alignment);
+  return Counted(std::aligned_alloc(unit, (size + unit - 1) / unit * unit));
+}
+
+void operator delete(void* memory) noexcept {
+  Release(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept {
+  Release(memory);
+}
+
+void operator delete(void* memory, std::align_val_t) noexcept {
+  Release(memory);
+}
+
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  Release(memory);
+}
+
+namespace truelux {
+namespace {
+
+using namespace testing;  // NOLINT(google-build-using-namespace)
+
+class Allocation : public ::testing::TestWithParam<Method> {};
+
+TEST_P(Allocation, NoneInTheSteadyState) {
+  PortableRandom random(1);
+  std::vector<TestFace> faces{{Ceiling(-2, 2, -2, 2, 4), kLamp}};
+  for (int i = 0; i < 60; ++i) {
+    const auto corner = [&]() -> Point3 {
+      return {random.Uniform(-2, 2), random.Uniform(-2, 2),
+              random.Uniform(1, 3)};
+    };
+    faces.push_back({{corner(), corner(), corner()}, kBlack});
+  }
+  const Oracle oracle(MakeScene(faces), {.method = GetParam()});
+  std::vector<Receiver> receivers;
+  for (int i = 0; i < 200; ++i) {
+    receivers.push_back(
+        {{random.Uniform(-2, 2), random.Uniform(-2, 2), 0}, {0, 0, 1}, 0});
+  }
+  double sum = 0;
+  const auto take = [&sum](std::size_t, const Irradiance& irradiance) {
+    sum += irradiance.value[0];
+  };
+  oracle.Evaluate(receivers, take);
+  const double first_sum = sum;
+  sum = 0;
+  const std::size_t before = allocations;
+  oracle.Evaluate(receivers, take);
+  EXPECT_GT(first_sum, 0);
+  EXPECT_EQ(sum, first_sum);
+  // The first call made the storage; of the second, at most a constant few.
+  EXPECT_LE(allocations - before, 4U);
+  EXPECT_GT(before, 100U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Allocation,
+                         ::testing::Values(Method::kCertified,
+                                           Method::kDouble));
+
+}  // namespace
+}  // namespace truelux

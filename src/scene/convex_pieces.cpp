@@ -172,8 +172,7 @@ void ConvexPieces::NumberPlanes(const Scene& scene) {
     const int b = number_of(q.facet);
     if (a == b) continue;
     // They have an edge in common, so that one more corner decides.
-    const int third = (other - q.first_corner + 2) % q.corner_count;
-    const int vertex = corners_[Index(q.first_corner + third)];
+    const int vertex = corners_[Index(NextCorner(NextCorner(other)))];
     auto sign = TrySign(interval.AboveTriangle(p.triangle, vertex));
     if (!sign) sign = SignOf(exact.AboveTriangle(p.triangle, vertex));
     if (*sign == Sign::kZero) {

@@ -57,6 +57,14 @@ class ConvexPieces {
     return first_piece_[static_cast<std::size_t>(facet)];
   }
 
+  /// The corner after this one around its piece: where the edge that starts at
+  /// this one ends.
+  [[nodiscard]] int NextCorner(int corner) const {
+    const Piece& piece = pieces_[static_cast<std::size_t>(PieceOf(corner))];
+    const int last = piece.first_corner + piece.corner_count - 1;
+    return corner == last ? piece.first_corner : corner + 1;
+  }
+
   /// The next edge between the same two vertices, in either direction; the
   /// edge itself if there is no other. Following it visits all of them and
   /// comes back.

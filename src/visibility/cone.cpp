@@ -58,13 +58,10 @@ int ConeMaker<Geometry>::EdgePlane(int edge) {
   EdgeEntry& entry = edge_entries_[Index(edge)];
   if (entry.generation != generation_) {
     const int index = pieces_.PieceOf(edge);
-    const Piece& piece = pieces_.pieces()[Index(index)];
     const auto corners = pieces_.corners();
-    const bool last = edge == piece.first_corner + piece.corner_count - 1;
-    PlaneRecipe recipe{
-        .kind = PlaneRecipe::Kind::kEdge,
-        .a = corners[Index(edge)],
-        .b = corners[Index(last ? piece.first_corner : edge + 1)]};
+    PlaneRecipe recipe{.kind = PlaneRecipe::Kind::kEdge,
+                       .a = corners[Index(edge)],
+                       .b = corners[Index(pieces_.NextCorner(edge))]};
     if (ReceiverSide(index) != Sign::kPositive) std::swap(recipe.a, recipe.b);
     entry = {generation_, geometry_.AddPlane(recipe)};
   }

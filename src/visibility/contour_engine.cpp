@@ -93,14 +93,7 @@ class BasicContourBuilder<kKind>::Impl {
       for (std::size_t e = 0; e < engine_.emitters().size(); ++e) {
         const ContourEngine::Emitter& emitter = engine_.emitters()[e];
         if (!StartSource(emitter.facet)) continue;
-        const Shaft shaft(emitter.shafts, Box::Of(receiver.position),
-                          receiver.normal);
-        const TreeCut* cut = CutOf(e);
-        if (cut == nullptr) {
-          engine_.tree().Visit(shaft, [this](int p) { AddPiece(p); });
-        } else {
-          engine_.tree().Visit(shaft, *cut, [this](int p) { AddPiece(p); });
-        }
+        AddPieces(emitter.shafts, receiver, CutOf(e));
         FinishSource(emitter.facet);
       }
     } else {
@@ -110,9 +103,7 @@ class BasicContourBuilder<kKind>::Impl {
       for (int f = face.first_facet; f < face.first_facet + face.facet_count;
            ++f) {
         if (!StartSource(f)) continue;
-        const Shaft shaft(engine_.ShaftsTo(f), Box::Of(receiver.position),
-                          receiver.normal);
-        engine_.tree().Visit(shaft, [this](int p) { AddPiece(p); });
+        AddPieces(engine_.ShaftsTo(f), receiver, nullptr);
         FinishSource(f);
       }
     }
@@ -155,6 +146,18 @@ class BasicContourBuilder<kKind>::Impl {
     }
     ++sources_;
     return true;
+  }
+
+  /// Adds the blockers that lie towards a source. cut: null for none.
+  void AddPieces(const ShaftSource& shafts, const Receiver& receiver,
+                 const TreeCut* cut) {
+    const Shaft shaft(shafts, Box::Of(receiver.position), receiver.normal);
+    const auto add = [this](int piece) { AddPiece(piece); };
+    if (cut == nullptr) {
+      engine_.tree().Visit(shaft, add);
+    } else {
+      engine_.tree().Visit(shaft, *cut, add);
+    }
   }
 
   void AddPiece(int piece) {

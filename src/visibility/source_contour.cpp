@@ -50,10 +50,7 @@ bool SourceContour<Geometry>::IsInner(int edge) {
   const auto start = [this](int e, int piece) {
     // The corner where the edge starts, seen counter-clockwise from r.
     const bool forward = cones_.ReceiverSide(piece) == Sign::kPositive;
-    const Piece& p = pieces_.pieces()[Index(piece)];
-    const bool last = e == p.first_corner + p.corner_count - 1;
-    const int end = last ? p.first_corner : e + 1;
-    return pieces_.corners()[Index(forward ? e : end)];
+    return pieces_.corners()[Index(forward ? e : pieces_.NextCorner(e))];
   };
   int own_start = -1;
   for (int other = pieces_.NextSameEdge(edge); other != edge;

@@ -110,10 +110,7 @@ template <class Geometry>
 bool SourceParts<Geometry>::MayBlock(int piece, ImageBox& box) {
   const Piece& p = pieces_.pieces()[Index(piece)];
   if (hidden_ || p.facet == facet_) return false;
-  if (pieces_.PlaneNumber(p.facet) == pieces_.PlaneNumber(facet_) &&
-      !IsEarlier(p.facet)) {
-    return false;
-  }
+  if (IsCoplanar(p.facet) && !IsEarlier(p.facet)) return false;
   bool misses = true;
   const auto corners = pieces_.CornersOf(p);
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -156,8 +153,7 @@ void SourceParts<Geometry>::AddBlocker(int piece, const ImageBox& box) {
   CornerSigns sides{};
   bool any_front = false;
   bool any_behind = false;
-  const bool coplanar =
-      pieces_.PlaneNumber(p.facet) == pieces_.PlaneNumber(facet_);
+  const bool coplanar = IsCoplanar(p.facet);
   for (std::size_t k = 0; k < corners.size() && !coplanar; ++k) {
     sides[k] = FrontSide(corners[k]);
     any_front = any_front || sides[k] == Sign::kPositive;

@@ -108,6 +108,11 @@ class SourceParts {
     return entries_[index];
   }
 
+  /// Whether a facet is known, without arithmetic, to lie in the source's plane.
+  [[nodiscard]] bool IsCoplanar(int facet) const {
+    return pieces_.PlaneNumber(facet) == pieces_.PlaneNumber(facet_);
+  }
+
   /// Whether a facet's face comes before the source's.
   [[nodiscard]] bool IsEarlier(int facet) const;
 

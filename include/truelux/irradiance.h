@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "truelux/formulas.h"
 #include "truelux/geometry.h"
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
@@ -29,18 +30,17 @@ enum class Method { kCertified, kDouble };
 /// radiance L [W/m^2/sr], M = pi L.
 enum class Emission { kExitance, kRadiance };
 
-/// The closed form that is summed over the visible contour. With kCertified
-/// the result does not depend on it.
-enum class Formula {
-  kLambert,      ///< arcs: Stark 2000 eq. (3), corrected; docs/method.md
-  kHomogeneous,  ///< vertices: Stark 2000 Figure 11, corrected, frame-free
-};
-
 struct OracleOptions {
   Engine engine = Engine::kContour;
   Method method = Method::kCertified;
   Emission emission = Emission::kExitance;
-  Formula formula = Formula::kLambert;
+  /// kCertified does not depend on it: kHomogeneous and kUnified sum over
+  /// vertices there, all others over arcs, and both give the same bits.
+  Formula formula = Formula::kAuto;
+  /// kImagePlane and kDirections cut what is visible to the square of this
+  /// half-side on the image plane (at unit distance), > 0; the bound holds
+  /// what is cut off, at most M / (1 + half_side^2) (S, Lemma 1).
+  double half_side = 0x1p20;
 };
 
 /// Irradiance at a receiver, with how it was found.

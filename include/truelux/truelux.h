@@ -13,11 +13,13 @@
 #define TRUELUX_TRUELUX_H_
 
 #include "truelux/diagnostics.h"
+#include "truelux/formulas.h"
 #include "truelux/geometry.h"
 #include "truelux/io.h"
 #include "truelux/irradiance.h"
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
+#include "truelux/sphere.h"
 #include "truelux/statistics.h"
 #include "truelux/visibility.h"
 

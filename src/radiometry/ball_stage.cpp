@@ -27,7 +27,7 @@ Ball<T> InverseTwoPi() {
 template <class T>
 Ball<T> SumOfTerms(const BallGeometry<T>& geometry, std::span<const Arc> arcs,
                    Formula formula, const std::vector<bool>& on_horizon) {
-  if (formula == Formula::kLambert) return LambertTerms(geometry, arcs);
+  if (!SumsOverVertices(formula)) return LambertTerms(geometry, arcs);
   Ball<T> sum(0.0);
   for (const Arc& arc : arcs) {
     const bool flat = on_horizon[static_cast<std::size_t>(arc.plane)];

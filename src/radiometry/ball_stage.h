@@ -14,7 +14,7 @@ namespace truelux {
 /// E per channel as a ball; T = double or DoubleDouble. A channel that this
 /// stage cannot bound is unbounded, the others are right all the same.
 ///
-/// on_horizon: PlanesOnHorizon, used by Formula::kHomogeneous only. geometry
+/// on_horizon: PlanesOnHorizon, used if SumsOverVertices(formula). geometry
 /// is memory to work in.
 template <class T>
 std::array<Ball<T>, 3> EvaluateInBalls(const WeightedContour& contour,

@@ -15,8 +15,15 @@ struct EvaluationWorkspace;
 struct EvaluationQuery {
   Method method = Method::kCertified;
   Emission emission = Emission::kExitance;
-  Formula formula = Formula::kLambert;
+  Formula formula = Formula::kAuto;
+  double half_side = 0x1p20;  ///< as OracleOptions::half_side
 };
+
+/// Whether a certified sum goes over the vertices of the contour; else it goes
+/// over the arcs.
+inline bool SumsOverVertices(Formula formula) {
+  return formula == Formula::kHomogeneous || formula == Formula::kUnified;
+}
 
 /// Sum over the contour's sources of M_source * F_source, per channel, where
 /// M is the emission of the source's face (or 1 if query.only_source is set).

@@ -112,8 +112,8 @@ Irradiance EvaluateWeighted(const WeightedContour& contour,
     return result;
   }
   const std::vector<bool> on_horizon =
-      evaluation.formula == Formula::kHomogeneous ? PlanesOnHorizon(contour)
-                                                  : std::vector<bool>();
+      SumsOverVertices(evaluation.formula) ? PlanesOnHorizon(contour)
+                                           : std::vector<bool>();
   if (evaluation.method == Method::kDouble) {
     AnswerInDouble(contour, evaluation, on_horizon, workspace.plain, open,
                    result);

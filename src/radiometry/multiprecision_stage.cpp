@@ -60,7 +60,7 @@ MultiprecisionStage::MultiprecisionStage(const WeightedContour& contour,
       const Vec3<Exact>& d2 =
           exact.directions[static_cast<std::size_t>(arc.to)];
       const Exact t = Determinant(d1, d2, normal);
-      if (evaluation.formula == Formula::kLambert) {
+      if (!SumsOverVertices(evaluation.formula)) {
         source.terms.push_back({plane, arc.positive ? t : -t, Dot(d1, d2),
                                 false, true, !arc.positive});
       } else if (on_horizon[plane]) {

@@ -96,7 +96,7 @@ void Oracle::Evaluate(
   for (const Receiver& receiver : receivers)
     RequireReceiver(receiver, scene_);
   const EvaluationQuery evaluation{options_.method, options_.emission,
-                                   options_.formula};
+                                   options_.formula, options_.half_side};
   const auto workspace = prepared_->Borrow();
   ContourQuery query{scene_, {}, 0, true};
   for (std::size_t i = 0; i < receivers.size(); ++i) {
@@ -138,7 +138,8 @@ Irradiance Oracle::FormFactor(const Receiver& receiver, int face) const {
   BuildContour(query, options_.engine, *workspace);
   return EvaluateContour(
       query, workspace->contour,
-      {options_.method, Emission::kExitance, options_.formula},
+      {options_.method, Emission::kExitance, options_.formula,
+       options_.half_side},
       workspace->evaluation);
 }
 

@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(
         ::testing::ValuesIn(CaseNames()),
         ::testing::Values(Setup{"contour", {}},
-                          Setup{"table", {.formula = Formula::kHomogeneous}},
+                          Setup{"table", {.formula = Formula::kUnified}},
                           Setup{"arrangement",
                                 {.engine = Engine::kArrangement}})),
     [](const auto& instance) {

@@ -26,7 +26,7 @@ void ExpectReferenceBits(const RandomView& view) {
   for (const Ends ends : {Ends::kNatural, Ends::kCrossings, Ends::kExplicit}) {
     HandContour contour(view.position, view.normal);
     contour.AddConvexPolygon(view.ring, kEmission, ends);
-    for (const Formula formula : {Formula::kLambert, Formula::kHomogeneous}) {
+    for (const Formula formula : {Formula::kAuto, Formula::kUnified}) {
       const Irradiance result = contour.Evaluate(Certified(formula));
       for (std::size_t c = 0; c < 3; ++c) {
         const Real truth = Real(kEmission[c]) * factor;
@@ -100,7 +100,7 @@ void ExpectReferenceBits(const CutView& cut) {
   HandContour contour(cut.view.position, cut.view.normal);
   contour.AddCutPolygon(cut.view.ring, cut.a, cut.b, kEmission);
   const Real factor = CutFormFactor(cut);
-  for (const Formula formula : {Formula::kLambert, Formula::kHomogeneous}) {
+  for (const Formula formula : {Formula::kAuto, Formula::kUnified}) {
     const Irradiance certified = contour.Evaluate(Certified(formula));
     const Irradiance plain =
         contour.Evaluate({Method::kDouble, Emission::kExitance, formula});
@@ -159,7 +159,7 @@ TEST(Certified, ScaleOfCoordinatesDoesNotMatter) {
   const std::vector<Point3> ring = {{-3, 2, 5}, {1, 4, -3}, {6, -1, 4}};
   HandContour plain({1, -1, 0}, {1, 2, 3});
   plain.AddConvexPolygon(ring, {1, 1, 1});
-  for (const Formula formula : {Formula::kLambert, Formula::kHomogeneous}) {
+  for (const Formula formula : {Formula::kAuto, Formula::kUnified}) {
     const double expected = plain.Evaluate(Certified(formula)).value[0];
     for (const int exponent : {-1074, -1000, -600, -200, 200, 600, 1018}) {
       const double s = std::ldexp(1.0, exponent);
@@ -192,7 +192,7 @@ TEST(Certified, LengthOfExplicitVectorsDoesNotMatter) {
     const Exact cube = Exact(factor) * Exact(factor) * Exact(factor);
     for (Vec3<Exact>& v : contour.contour().explicit_vectors)
       v = cube * v;
-    for (const Formula formula : {Formula::kLambert, Formula::kHomogeneous}) {
+    for (const Formula formula : {Formula::kAuto, Formula::kUnified}) {
       const Irradiance result = contour.Evaluate(Certified(formula));
       EXPECT_EQ(result.value[0], truth.ToDouble());
       EXPECT_EQ(result.statistics.evaluated_double_double, 1U);
@@ -209,7 +209,7 @@ TEST(Certified, DifferencesThatOverflowBinary64AreNoProblem) {
       {1, 1, 1});
   const Real truth = FormFactor(
       {{-1, -1, 2}, {-1, 1, 2}, {1, 1, 2}, {1, -1, 2}}, {0, 0, 0}, {0, 0, 1});
-  for (const Formula formula : {Formula::kLambert, Formula::kHomogeneous}) {
+  for (const Formula formula : {Formula::kAuto, Formula::kUnified}) {
     EXPECT_EQ(contour.Evaluate(Certified(formula)).value[0], truth.ToDouble());
     const Irradiance plain =
         contour.Evaluate({Method::kDouble, Emission::kExitance, formula});

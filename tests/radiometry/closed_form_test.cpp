@@ -144,8 +144,8 @@ TEST_P(ClosedForm, RadianceOfAnOctant) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BothFormulas, ClosedForm,
-                         ::testing::Values(Formula::kLambert,
-                                           Formula::kHomogeneous));
+                         ::testing::Values(Formula::kAuto,
+                                           Formula::kUnified));
 
 }  // namespace
 }  // namespace truelux::testing

@@ -54,8 +54,8 @@ TEST_P(DoubleBound, IsSmallForOrdinarySources) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BothFormulas, DoubleBound,
-                         ::testing::Values(Formula::kLambert,
-                                           Formula::kHomogeneous));
+                         ::testing::Values(Formula::kAuto,
+                                           Formula::kUnified));
 
 }  // namespace
 }  // namespace truelux::testing

@@ -69,7 +69,7 @@ TEST_F(EvaluateContourTest, AFormFactorIsForUnitExitance) {
   query_.only_source = 1;
   for (const Emission emission : {Emission::kExitance, Emission::kRadiance}) {
     const Irradiance result = EvaluateContour(
-        query_, contour_, {Method::kCertified, emission, Formula::kLambert});
+        query_, contour_, {Method::kCertified, emission, Formula::kAuto});
     EXPECT_EQ(result.value, (Rgb{0.25, 0.25, 0.25}));
   }
 }
@@ -81,7 +81,7 @@ TEST_F(EvaluateContourTest, AWorkspaceCarriesNothingOver) {
   shorter.sources.erase(shorter.sources.begin());
   EvaluationWorkspace workspace;
   for (const Method method : {Method::kDouble, Method::kCertified}) {
-    for (const Formula formula : {Formula::kLambert, Formula::kHomogeneous}) {
+    for (const Formula formula : {Formula::kAuto, Formula::kUnified}) {
       const EvaluationQuery how{method, Emission::kExitance, formula};
       for (const Contour* contour : {&contour_, &shorter, &contour_}) {
         const Irradiance again =

@@ -17,9 +17,9 @@ namespace {
 
 constexpr EvaluationQuery kCertified{};
 constexpr EvaluationQuery kRadiance{Method::kCertified, Emission::kRadiance,
-                                    Formula::kLambert};
+                                    Formula::kAuto};
 constexpr EvaluationQuery kPlain{Method::kDouble, Emission::kExitance,
-                                 Formula::kLambert};
+                                 Formula::kAuto};
 constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 constexpr double kMost = std::numeric_limits<double>::max();
 
@@ -122,7 +122,7 @@ TEST(Rounding, PlainDoubleNeverAnswersNaN) {
   const Rgb m{kMost, 1, kLeast};
   const Irradiance result =
       Octants({m, m, m, m})
-          .Evaluate({Method::kDouble, Emission::kRadiance, Formula::kLambert});
+          .Evaluate({Method::kDouble, Emission::kRadiance, Formula::kAuto});
   EXPECT_TRUE(std::isinf(result.value[0]));
   EXPECT_TRUE(std::isinf(result.bound[0]));
   EXPECT_NEAR(result.value[1], 3.141592653589793, result.bound[1]);

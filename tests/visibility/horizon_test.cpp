@@ -12,7 +12,7 @@ namespace {
 using namespace testing;  // NOLINT(google-build-using-namespace)
 
 constexpr OracleOptions kTwin{.engine = Engine::kArrangement};
-constexpr OracleOptions kTable{.formula = Formula::kHomogeneous};
+constexpr OracleOptions kTable{.formula = Formula::kUnified};
 
 /// The certified value from both engines and both formulas.
 Rgb All(const std::vector<TestFace>& faces, const Receiver& r) {

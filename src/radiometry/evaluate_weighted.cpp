@@ -111,8 +111,8 @@ Irradiance EvaluateWeighted(const WeightedContour& contour,
     result.statistics.evaluated_zero = 1;
     return result;
   }
-  const std::vector<bool> on_horizon =
-      SumsOverVertices(evaluation.formula) ? PlanesOnHorizon(contour)
+  const std::vector<bool> on_horizon = SumsOverVertices(evaluation.formula)
+                                           ? PlanesOnHorizon(contour)
                                            : std::vector<bool>();
   if (evaluation.method == Method::kDouble) {
     AnswerInDouble(contour, evaluation, on_horizon, workspace.plain, open,

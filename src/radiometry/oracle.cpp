@@ -136,11 +136,10 @@ Irradiance Oracle::FormFactor(const Receiver& receiver, int face) const {
   const ContourQuery query{scene_, receiver, face};
   const auto workspace = prepared_->Borrow();
   BuildContour(query, options_.engine, *workspace);
-  return EvaluateContour(
-      query, workspace->contour,
-      {options_.method, Emission::kExitance, options_.formula,
-       options_.half_side},
-      workspace->evaluation);
+  return EvaluateContour(query, workspace->contour,
+                         {options_.method, Emission::kExitance,
+                          options_.formula, options_.half_side},
+                         workspace->evaluation);
 }
 
 VisibleContour Oracle::Contour(const Receiver& receiver) const {

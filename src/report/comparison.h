@@ -15,8 +15,8 @@ namespace truelux {
 
 /// One method's answers.
 struct MethodResult {
-  std::string name;   ///< e.g. "lambert-edge double", "Embree Sobol 1024"
-  std::string group;  ///< e.g. "formula, double"; one colour in the chart
+  std::string name;         ///< e.g. "lambert-edge double", "Embree Sobol 1024"
+  std::string group;        ///< e.g. "formula, double"; one colour in the chart
   double microseconds = 0;  ///< per receiver, one thread
   /// One entry per receiver of the comparison; nothing: the method does not
   /// apply there.

@@ -1,5 +1,7 @@
 #include "exact/multiprecision.h"
 
+#include <algorithm>
+
 #include <CGAL/Gmpq.h>
 
 namespace truelux {
@@ -16,6 +18,16 @@ struct CacheOwner {
 
 void OwnCacheOfThisThread() {
   static const thread_local CacheOwner owner;
+}
+
+/// function: of MPFR, with two operands.
+template <class Function>
+Multiprecision Apply(Function function, const Multiprecision& x,
+                     const Multiprecision& y) {
+  Multiprecision result(
+      std::max(mpfr_get_prec(x.get()), mpfr_get_prec(y.get())));
+  function(result.get(), x.get(), y.get(), MPFR_RNDN);
+  return result;
 }
 
 }  // namespace
@@ -48,6 +60,44 @@ Multiprecision::Multiprecision(const Multiprecision& other)
 Multiprecision& Multiprecision::operator=(const Multiprecision& other) {
   if (this != &other) *this = Multiprecision(other);
   return *this;
+}
+
+Multiprecision operator+(const Multiprecision& x, const Multiprecision& y) {
+  return Apply(mpfr_add, x, y);
+}
+
+Multiprecision operator-(const Multiprecision& x, const Multiprecision& y) {
+  return Apply(mpfr_sub, x, y);
+}
+
+Multiprecision operator*(const Multiprecision& x, const Multiprecision& y) {
+  return Apply(mpfr_mul, x, y);
+}
+
+Multiprecision operator/(const Multiprecision& x, const Multiprecision& y) {
+  return Apply(mpfr_div, x, y);
+}
+
+Multiprecision operator-(const Multiprecision& x) {
+  Multiprecision result(x);
+  mpfr_neg(result.get(), result.get(), MPFR_RNDN);
+  return result;
+}
+
+Multiprecision Sqrt(const Multiprecision& x) {
+  Multiprecision result(mpfr_get_prec(x.get()));
+  mpfr_sqrt(result.get(), x.get(), MPFR_RNDN);
+  return result;
+}
+
+Multiprecision Angle(const Multiprecision& y, const Multiprecision& x) {
+  return Apply(mpfr_atan2, y, x);
+}
+
+Multiprecision PiOf(mpfr_prec_t precision) {
+  Multiprecision result(precision);
+  mpfr_const_pi(result.get(), MPFR_RNDN);
+  return result;
 }
 
 }  // namespace truelux

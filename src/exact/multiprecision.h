@@ -1,7 +1,8 @@
 // MPFR numbers as values, and the way from exact numbers to them.
 //
-// All functions round to nearest and take the precision of the result from
-// the destination. Exponents: MPFR's default range, about 2^30 binary orders
+// All functions round to nearest. Those that are given a destination take the
+// precision of the result from it, operators from the operand that has more.
+// Exponents: MPFR's default range, about 2^30 binary orders
 // of magnitude, holds everything that recipes over binary64 can produce.
 
 #ifndef TRUELUX_EXACT_MULTIPRECISION_H_
@@ -18,6 +19,9 @@ namespace truelux {
 /// Owns one mpfr_t of a fixed precision [bits]; starts as 0.
 class Multiprecision {
  public:
+  /// 0, to be assigned to.
+  Multiprecision() : Multiprecision(MPFR_PREC_MIN) {}
+
   explicit Multiprecision(mpfr_prec_t precision);
 
   /// x rounded to nearest: relative error <= 2^-precision.
@@ -52,6 +56,20 @@ class Multiprecision {
  private:
   mpfr_t number_{};
 };
+
+Multiprecision operator+(const Multiprecision& x, const Multiprecision& y);
+Multiprecision operator-(const Multiprecision& x, const Multiprecision& y);
+Multiprecision operator*(const Multiprecision& x, const Multiprecision& y);
+Multiprecision operator/(const Multiprecision& x, const Multiprecision& y);
+Multiprecision operator-(const Multiprecision& x);
+
+/// The square root of x >= 0.
+Multiprecision Sqrt(const Multiprecision& x);
+
+/// The angle of (x, y) in [-pi, pi].
+Multiprecision Angle(const Multiprecision& y, const Multiprecision& x);
+
+Multiprecision PiOf(mpfr_prec_t precision);
 
 }  // namespace truelux
 

@@ -1,10 +1,9 @@
 #include "radiometry/ball_stage.h"
 
-#include <algorithm>
-#include <cmath>
 #include <type_traits>
 
 #include "radiometry/ball_terms.h"
+#include "radiometry/channel_sums.h"
 
 namespace truelux {
 namespace {
@@ -36,53 +35,6 @@ Ball<T> SumOfTerms(const BallGeometry<T>& geometry, std::span<const Arc> arcs,
   return sum;
 }
 
-/// numeric_limits' is a long double that -frounding-math has converted at run
-/// time, which takes longer than the rest of this file.
-constexpr double kLeastSubnormal = 0x1p-1074;
-
-/// For each channel the power of two of its largest weight: 2^k <= M < 2^(k+1)
-/// (-1074 if there is none).
-std::array<int, 3> WeightExponents(const WeightedContour& contour) {
-  std::array<int, 3> exponents{};
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    double largest = kLeastSubnormal;
-    for (const Rgb& weight : contour.weights) {
-      largest = std::max(largest, weight[channel]);
-    }
-    exponents[channel] =
-        largest < 0x1p-1022 ? std::ilogb(largest) : ExponentOf(largest);
-  }
-  return exponents;
-}
-
-/// x 2^exponent, any exponent, rounded once.
-double TimesTwoTo(double x, int exponent) {
-  if (exponent < -1022 || exponent > 1023) return std::ldexp(x, exponent);
-  return x * PowerOfTwo(exponent);
-}
-
-/// The value loses at most half the least subnormal in each part, the bound
-/// another half.
-Ball<double> TimesTwoTo(const Ball<double>& x, int exponent) {
-  return {TimesTwoTo(x.value, exponent),
-          TimesTwoTo(x.error, exponent) + 0x1p-1073};
-}
-
-Ball<DoubleDouble> TimesTwoTo(const Ball<DoubleDouble>& x, int exponent) {
-  return {
-      {TimesTwoTo(x.value.high, exponent), TimesTwoTo(x.value.low, exponent)},
-      TimesTwoTo(x.error, exponent) + 0x1p-1073};
-}
-
-/// An earlier channel with the same weights, or the channel itself.
-std::size_t FirstAlike(const WeightedContour& contour, std::size_t channel) {
-  for (std::size_t earlier = 0; earlier < channel; ++earlier) {
-    const auto same = [&](const Rgb& w) { return w[earlier] == w[channel]; };
-    if (std::ranges::all_of(contour.weights, same)) return earlier;
-  }
-  return channel;
-}
-
 }  // namespace
 
 template <class T>
@@ -91,24 +43,11 @@ std::array<Ball<T>, 3> EvaluateInBalls(const WeightedContour& contour,
                                        const std::vector<bool>& on_horizon,
                                        BallGeometry<T>& geometry) {
   geometry.Evaluate(contour);
-  // Weights are taken relative to the channel's largest, so that neither faint
-  // nor very bright sources leave the range in which balls are narrow.
-  const std::array<int, 3> exponents = WeightExponents(contour);
-  const std::array<std::size_t, 3> alike = {0, FirstAlike(contour, 1),
-                                            FirstAlike(contour, 2)};
-  std::array<Ball<T>, 3> result;
+  ChannelSums<T> sums(contour);
   for (std::size_t i = 0; i < contour.contour.sources.size(); ++i) {
     if (!contour.IsLit(i)) continue;
-    const Ball<T> sum =
-        SumOfTerms(geometry, contour.ArcsOf(contour.contour.sources[i]),
-                   evaluation.formula, on_horizon);
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      if (alike[channel] != channel || !contour.IsLit(i, channel)) continue;
-      // Exact, or so small that kUnderflow covers what it lost.
-      const double weight =
-          TimesTwoTo(contour.weights[i][channel], -exponents[channel]);
-      result[channel] = result[channel] + Ball<T>(weight) * sum;
-    }
+    sums.Add(i, SumOfTerms(geometry, contour.ArcsOf(contour.contour.sources[i]),
+                           evaluation.formula, on_horizon));
   }
   // E = M F = (M / 2 pi) sum / |n|, and M = pi L.
   const BallVector<T>& n = geometry.receiver_normal();
@@ -116,13 +55,7 @@ std::array<Ball<T>, 3> EvaluateInBalls(const WeightedContour& contour,
       (evaluation.emission == Emission::kRadiance ? Ball<T>(0.5)
                                                   : InverseTwoPi<T>()) /
       Sqrt(Dot(n, n));
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    result[channel] =
-        alike[channel] != channel
-            ? result[alike[channel]]
-            : TimesTwoTo(result[channel] * factor, exponents[channel]);
-  }
-  return result;
+  return sums.Finish(factor);
 }
 
 template std::array<Ball<double>, 3> EvaluateInBalls(const WeightedContour&,

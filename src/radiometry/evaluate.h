@@ -25,6 +25,10 @@ inline bool SumsOverVertices(Formula formula) {
   return formula == Formula::kHomogeneous || formula == Formula::kUnified;
 }
 
+/// Whether a bound of Method::kDouble is so large beside its value that it is
+/// worth choosing another formula for each source.
+bool HasWideBound(const Irradiance& result);
+
 /// Sum over the contour's sources of M_source * F_source, per channel, where
 /// M is the emission of the source's face (or 1 if query.only_source is set).
 ///
@@ -32,7 +36,10 @@ inline bool SumsOverVertices(Formula formula) {
 ///             running bound, then MPFR with growing precision until the
 ///             enclosure rounds one way; a midpoint still enclosed at 4096
 ///             bits or more is a tie and goes to even.
-/// kDouble     double with a running bound on |error|, rounded up.
+/// kDouble     double with a running bound on |error|, rounded up. kAuto: where
+///             HasWideBound, for each source the formula with the smallest
+///             bound, unless the contour is joined. A formula by name: what it
+///             gives; NaN and an infinite bound where it does not apply.
 /// The statistics are the contour's, with the evaluation's added. workspace
 /// (evaluation_workspace.h) is memory to work in, for one thread at a time.
 Irradiance EvaluateContour(const ContourQuery& query, const Contour& contour,

@@ -9,6 +9,7 @@
 #include "radiometry/ball_stage.h"
 #include "radiometry/evaluation_workspace.h"
 #include "radiometry/multiprecision_stage.h"
+#include "radiometry/named_formula.h"
 #include "radiometry/rounding.h"
 #include "radiometry/weighted_contour.h"
 
@@ -50,17 +51,40 @@ void AnswerCertified(double value, std::size_t channel, Channels& open,
 }
 
 /// Answers what plain double can bound, clamped to >= 0 as E is.
-void AnswerInDouble(const WeightedContour& contour,
-                    const EvaluationQuery& evaluation,
-                    const std::vector<bool>& on_horizon,
-                    BallGeometry<double>& geometry, Channels& open,
-                    Irradiance& result) {
-  const auto balls = EvaluateInBalls(contour, evaluation, on_horizon, geometry);
+void TakeBounded(const std::array<Ball<double>, 3>& balls, Channels& open,
+                 Irradiance& result) {
   for (std::size_t channel = 0; channel < 3; ++channel) {
     if (!open[channel] || !IsBounded(balls[channel])) continue;
     result.value[channel] = ClampToNonNegative(balls[channel]).value;
     result.bound[channel] = balls[channel].error;
     open[channel] = false;
+  }
+}
+
+/// Larger bounds, relative to their values, are worth another formula.
+constexpr double kWideBound = 0x1p-33;
+
+/// Takes those of the other answers that have smaller bounds.
+void TakeNarrower(const std::array<Ball<double>, 3>& balls,
+                  Irradiance& result) {
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    if (!(balls[channel].error < result.bound[channel])) continue;
+    result.value[channel] = ClampToNonNegative(balls[channel]).value;
+    result.bound[channel] = balls[channel].error;
+  }
+}
+
+/// Answers whatever came out: what a formula cannot bound has no bound.
+void TakeAll(const std::array<Ball<double>, 3>& balls, const Channels& lit,
+             Irradiance& result) {
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    if (!lit[channel]) continue;
+    const Ball<double>& ball = balls[channel];
+    const bool bounded = IsBounded(ball);
+    result.value[channel] = bounded ? ClampToNonNegative(ball).value
+                                    : std::numeric_limits<double>::quiet_NaN();
+    result.bound[channel] =
+        bounded ? ball.error : std::numeric_limits<double>::infinity();
   }
 }
 
@@ -102,6 +126,13 @@ void AnswerInMultiprecision(const WeightedContour& contour,
 
 }  // namespace
 
+bool HasWideBound(const Irradiance& result) {
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    if (result.bound[channel] > kWideBound * result.value[channel]) return true;
+  }
+  return false;
+}
+
 Irradiance EvaluateWeighted(const WeightedContour& contour,
                             const EvaluationQuery& evaluation,
                             EvaluationWorkspace& workspace) {
@@ -114,10 +145,20 @@ Irradiance EvaluateWeighted(const WeightedContour& contour,
   const std::vector<bool> on_horizon = SumsOverVertices(evaluation.formula)
                                            ? PlanesOnHorizon(contour)
                                            : std::vector<bool>();
+  if (evaluation.method == Method::kDouble &&
+      evaluation.formula != Formula::kAuto) {
+    TakeAll(EvaluateByFormula(contour, evaluation), open, result);
+    result.statistics.evaluated_double = 1;
+    return result;
+  }
   if (evaluation.method == Method::kDouble) {
-    AnswerInDouble(contour, evaluation, on_horizon, workspace.plain, open,
-                   result);
+    TakeBounded(
+        EvaluateInBalls(contour, evaluation, on_horizon, workspace.plain), open,
+        result);
     if (!Any(open)) {
+      if (!contour.contour.is_joined && HasWideBound(result)) {
+        TakeNarrower(EvaluateByFormula(contour, evaluation), result);
+      }
       result.statistics.evaluated_double = 1;
       return result;
     }

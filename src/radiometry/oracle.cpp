@@ -98,7 +98,10 @@ void Oracle::Evaluate(
   const EvaluationQuery evaluation{options_.method, options_.emission,
                                    options_.formula, options_.half_side};
   const auto workspace = prepared_->Borrow();
-  ContourQuery query{scene_, {}, 0, true};
+  // A formula by name needs the whole contour of every source.
+  const bool join = options_.method == Method::kCertified ||
+                    options_.formula == Formula::kAuto;
+  ContourQuery query{scene_, {}, 0, join};
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     if (i % kBlockSize == 0) {
       workspace->builder.StartBlock(
@@ -106,8 +109,17 @@ void Oracle::Evaluate(
     }
     query.receiver = receivers[i];
     BuildContour(query, options_.engine, *workspace);
-    take(i, EvaluateContour(query, workspace->contour, evaluation,
-                            workspace->evaluation));
+    Irradiance result = EvaluateContour(query, workspace->contour, evaluation,
+                                        workspace->evaluation);
+    if (options_.method == Method::kDouble && workspace->contour.is_joined &&
+        HasWideBound(result)) {
+      query.join_sources = false;
+      BuildContour(query, options_.engine, *workspace);
+      result = EvaluateContour(query, workspace->contour, evaluation,
+                               workspace->evaluation);
+      query.join_sources = join;
+    }
+    take(i, result);
   }
 }
 

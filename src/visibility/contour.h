@@ -46,6 +46,9 @@ struct Contour {
   std::vector<Vec3<Exact>> explicit_vectors;
   std::vector<Arc> arcs;
   std::vector<SourceArcs> sources;
+  /// Arcs between sources that emit the same were left out: only the sum over
+  /// all sources is bounded completely.
+  bool is_joined = false;
   Statistics statistics;  ///< the predicates' part
 };
 

@@ -107,8 +107,10 @@ class BasicContourBuilder<kKind>::Impl {
         FinishSource(f);
       }
     }
+    const std::size_t all_arcs = arcs_of_all_.size();
     if (query.join_sources && ends_.size() > 1) Join();
     writer_.Start(contour);
+    contour.is_joined = arcs_of_all_.size() < all_arcs;
     std::size_t first = 0;
     for (const SourceEnd& source : ends_) {
       writer_.WriteSource(

@@ -1,11 +1,7 @@
 // The hard cases in tests/data/cases: expected.csv is the correctly rounded
 // answer of an independent program that subtracts cones from cones.
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -14,36 +10,10 @@
 #include "truelux/io.h"
 #include "truelux/irradiance.h"
 
-namespace truelux {
+#include "support/case_files.h"
+
+namespace truelux::testing {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::vector<std::string> CaseNames() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(TRUELUX_TEST_DATA "/cases")) {
-    names.push_back(entry.path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-/// The numbers of a CSV without quotes, below its header.
-std::vector<std::vector<double>> ReadNumbers(const fs::path& path) {
-  std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);
-  std::vector<std::vector<double>> rows;
-  while (std::getline(file, line)) {
-    std::istringstream fields(line);
-    std::string field;
-    rows.emplace_back();
-    while (std::getline(fields, field, ',')) {
-      rows.back().push_back(ParseNumber(field).value());
-    }
-  }
-  return rows;
-}
 
 struct Setup {
   const char* name;
@@ -59,7 +29,7 @@ class Cases : public ::testing::TestWithParam<std::tuple<std::string, Setup>> {
 
 TEST_P(Cases, EveryBitIsRight) {
   const auto& [name, setup] = GetParam();
-  const fs::path folder = fs::path(TRUELUX_TEST_DATA "/cases") / name;
+  const auto folder = CaseFolder(name);
   const Result<Scene> scene = ReadScene(folder / "scene.obj");
   ASSERT_TRUE(scene.ok());
   const Oracle oracle(*scene.value, setup.options);
@@ -87,4 +57,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
-}  // namespace truelux
+}  // namespace truelux::testing

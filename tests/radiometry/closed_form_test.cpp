@@ -144,8 +144,7 @@ TEST_P(ClosedForm, RadianceOfAnOctant) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BothFormulas, ClosedForm,
-                         ::testing::Values(Formula::kAuto,
-                                           Formula::kUnified));
+                         ::testing::Values(Formula::kAuto, Formula::kUnified));
 
 }  // namespace
 }  // namespace truelux::testing

@@ -54,8 +54,7 @@ TEST_P(DoubleBound, IsSmallForOrdinarySources) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BothFormulas, DoubleBound,
-                         ::testing::Values(Formula::kAuto,
-                                           Formula::kUnified));
+                         ::testing::Values(Formula::kAuto, Formula::kUnified));
 
 }  // namespace
 }  // namespace truelux::testing

@@ -106,8 +106,7 @@ TEST_P(LatticeIdentities, RotationByIntegerQuaternions) {
 TEST_P(Identities, FormulasAgreeAndDoubleKeepsItsBound) {
   const Scene scene = MakeScene(faces_);
   const Rgb value = Evaluate(scene, receiver_);
-  EXPECT_EQ(Evaluate(scene, receiver_, {.formula = Formula::kUnified}),
-            value);
+  EXPECT_EQ(Evaluate(scene, receiver_, {.formula = Formula::kUnified}), value);
   for (const Formula formula : {Formula::kAuto, Formula::kUnified}) {
     const Irradiance rough =
         Oracle(scene, {.method = Method::kDouble, .formula = formula})

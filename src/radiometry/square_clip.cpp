@@ -1,0 +1,206 @@
+#include "radiometry/square_clip.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "exact/ball_recipe.h"
+
+namespace truelux {
+namespace {
+
+/// A side of the square: inside is normal . d >= 0.
+struct SquareSide {
+  Vec3<Exact> normal;
+  Vec3<Exact> reference;  ///< on the side, above the horizon
+};
+
+Vec3<Exact> Plus(const Vec3<Exact>& a, const Vec3<Exact>& b) {
+  return a - -b;
+}
+
+Vec3<Exact> ExactOf(const Vec3<double>& v, const Exact& factor) {
+  return {Exact(v.x) * factor, Exact(v.y) * factor, Exact(v.z) * factor};
+}
+
+/// Both axes of the image plane, of about the length of the normal.
+std::array<Vec3<Exact>, 2> ImageAxes(const Vector3& normal) {
+  const int exponent = std::ilogb(std::max(
+      {std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)}));
+  const Vec3<double> n = {std::ldexp(normal.x, -exponent),
+                          std::ldexp(normal.y, -exponent),
+                          std::ldexp(normal.z, -exponent)};
+  const double length = std::sqrt(Dot(n, n));
+  // An axis that is not along n.
+  const Vec3<double> other = std::fabs(n.x) < 0.6 * length
+                                 ? Vec3<double>{1, 0, 0}
+                                 : Vec3<double>{0, 1, 0};
+  const Vec3<double> across = Cross(n, other);
+  const double across_length = std::sqrt(Dot(across, across));
+  const Vec3<double> u = (length / across_length) * across;
+  const Vec3<double> v = (1 / length) * Cross(n, u);
+  // Two factors, as one need not be a double.
+  const Exact half_scale(std::ldexp(1.0, exponent / 2));
+  const Exact scale =
+      half_scale * Exact(std::ldexp(1.0, exponent - exponent / 2));
+  return {ExactOf(u, scale), ExactOf(v, scale)};
+}
+
+std::array<SquareSide, 4> SidesOf(const ReceiverView& view, double half_side) {
+  const Vec3<Exact> n = RecipeEvaluator<Exact>(view).ReceiverNormal();
+  const auto axes = ImageAxes(view.normal);
+  const Vec3<Exact> up = Exact(half_side) * n;
+  std::array<SquareSide, 4> sides;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec3<Exact>& across = axes[k / 2];
+    const Vec3<Exact>& along = axes[1 - k / 2];
+    sides[k].normal = k % 2 == 0 ? Plus(up, across) : up - across;
+    Vec3<Exact> reference = Cross(sides[k].normal, along);
+    if (Dot(reference, n).sign() == CGAL::NEGATIVE) reference = -reference;
+    sides[k].reference = std::move(reference);
+  }
+  return sides;
+}
+
+/// Cuts a contour by one side after the other.
+class Cutter {
+ public:
+  Cutter(const WeightedContour& contour)
+      : view_(contour.view),
+        contour_(contour.contour),
+        is_cut_(contour.contour.sources.size()) {}
+
+  void Cut(const SquareSide& side) {
+    FindSides(side.normal);
+    if (!any_outside_) return;
+    const int plane = AddPlane(side.normal);
+    const int reference = AddDirection(side.reference);
+    std::vector<Arc> arcs;
+    for (std::size_t i = 0; i < contour_.sources.size(); ++i) {
+      SourceArcs& source = contour_.sources[i];
+      const auto first = static_cast<std::size_t>(source.first_arc);
+      const auto count = static_cast<std::size_t>(source.arc_count);
+      source.first_arc = static_cast<int>(arcs.size());
+      for (std::size_t k = first; k < first + count; ++k) {
+        // By value: AddDirection may be called for it.
+        const Arc arc = contour_.arcs[k];
+        if (!CutArc(arc, side, plane, reference, arcs)) is_cut_[i] = true;
+      }
+      source.arc_count = static_cast<int>(arcs.size()) - source.first_arc;
+    }
+    contour_.arcs = std::move(arcs);
+  }
+
+  BoundedContour Finish() { return {std::move(contour_), std::move(is_cut_)}; }
+
+ private:
+  /// Finds on which side of a plane each direction is: -1, 0 or 1.
+  void FindSides(const Vec3<Exact>& normal) {
+    using B = Ball<double>;
+    const RecipeEvaluator<B> rounded(view_);
+    const Vec3<B> n = {FromExact<B>::Of(normal.x), FromExact<B>::Of(normal.y),
+                       FromExact<B>::Of(normal.z)};
+    side_.clear();
+    any_outside_ = false;
+    for (std::size_t i = 0; i < contour_.directions.size(); ++i) {
+      const B height =
+          Dot(n, rounded.Direction(contour_.directions[i], contour_.planes,
+                                   contour_.explicit_vectors));
+      int side = std::fabs(height.value) > height.error
+                     ? (height.value > 0 ? 1 : -1)
+                     : 0;
+      if (side == 0) {
+        side = static_cast<int>(
+            SignOf(Dot(normal, Direction(static_cast<int>(i)))));
+      }
+      side_.push_back(side);
+      any_outside_ = any_outside_ || side < 0;
+    }
+  }
+
+  /// Appends what is inside of an arc, and what closes it. False if some of it
+  /// is outside.
+  bool CutArc(Arc arc, const SquareSide& side, int plane, int reference,
+              std::vector<Arc>& arcs) {
+    const bool from_inside = SideOf(arc.from) >= 0;
+    const bool to_inside = SideOf(arc.to) >= 0;
+    if (from_inside && to_inside) {
+      arcs.push_back(arc);
+      return true;
+    }
+    if (!from_inside && !to_inside) return false;
+    const Vec3<Exact> d1 = Direction(arc.from);
+    const Vec3<Exact> d2 = Direction(arc.to);
+    const Exact h1 = Dot(side.normal, d1);
+    const Exact h2 = Dot(side.normal, d2);
+    Vec3<Exact> crossing = from_inside ? h1 * d2 - h2 * d1 : h2 * d1 - h1 * d2;
+    const Sign turn =
+        SignOf(Determinant(crossing, side.reference, side.normal));
+    const int point = AddDirection(std::move(crossing));
+    const bool is_point = SideOf(from_inside ? arc.from : arc.to) == 0;
+    if (from_inside) {
+      arc.to = point;
+    } else {
+      arc.from = point;
+    }
+    if (!is_point) arcs.push_back(arc);
+    if (turn != Sign::kZero) {
+      const bool positive = (turn == Sign::kPositive) == from_inside;
+      arcs.push_back({plane, positive, from_inside ? point : reference,
+                      from_inside ? reference : point, 0});
+    }
+    return false;
+  }
+
+  [[nodiscard]] int SideOf(int direction) const {
+    return side_[static_cast<std::size_t>(direction)];
+  }
+
+  [[nodiscard]] Vec3<Exact> Direction(int i) const {
+    return RecipeEvaluator<Exact>(view_).Direction(
+        contour_.directions[static_cast<std::size_t>(i)], contour_.planes,
+        contour_.explicit_vectors);
+  }
+
+  int AddExplicit(Vec3<Exact> v) {
+    contour_.explicit_vectors.push_back(std::move(v));
+    return static_cast<int>(contour_.explicit_vectors.size()) - 1;
+  }
+
+  int AddPlane(const Vec3<Exact>& normal) {
+    contour_.planes.push_back(
+        {.kind = PlaneRecipe::Kind::kExplicit, .a = AddExplicit(normal)});
+    return static_cast<int>(contour_.planes.size()) - 1;
+  }
+
+  int AddDirection(Vec3<Exact> direction) {
+    contour_.directions.push_back({.kind = DirectionRecipe::Kind::kExplicit,
+                                   .a = AddExplicit(std::move(direction))});
+    return static_cast<int>(contour_.directions.size()) - 1;
+  }
+
+  ReceiverView view_;
+  Contour contour_;
+  std::vector<bool> is_cut_;
+  std::vector<int> side_;  ///< of each direction that was there before a cut
+  bool any_outside_ = false;
+};
+
+}  // namespace
+
+double FormFactorBeyond(double half_side) {
+  // The rounded square holds the disc of this radius; the rest is rounding.
+  const double radius = half_side * (1 - 0x1p-40);
+  return (1 + 0x1p-40) / (1 + radius * radius);
+}
+
+BoundedContour CutToSquare(const WeightedContour& contour, double half_side) {
+  Cutter cutter(contour);
+  for (const SquareSide& side : SidesOf(contour.view, half_side)) {
+    cutter.Cut(side);
+  }
+  return cutter.Finish();
+}
+
+}  // namespace truelux

@@ -1,0 +1,133 @@
+// All closed forms are one number: at 1024 bits they agree to 60 digits, on
+// every source of every hard case.
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "truelux/io.h"
+#include "truelux/irradiance.h"
+
+#include "radiometry/formula_evaluation.h"
+#include "support/case_files.h"
+#include "visibility/contour_engine.h"
+
+namespace truelux::testing {
+namespace {
+
+constexpr std::array kClosedForms = {
+    Formula::kLambertAcos,   Formula::kLambertAtan2, Formula::kLambertEdge,
+    Formula::kVertexLambert, Formula::kImagePlane,   Formula::kDirections,
+    Formula::kSphere,        Formula::kProjective,   Formula::kHomogeneous,
+    Formula::kUnified,       Formula::kDifference};
+
+/// |x - y| / |y| as a power of ten; -1000 for 0.
+double DigitsApart(const Multiprecision& x, const Multiprecision& y) {
+  Multiprecision ratio = (x - y) / y;
+  if (IsZero(ratio)) return -1000;
+  const mpfr_exp_t exponent = mpfr_get_exp(ratio.get());
+  return static_cast<double>(exponent) * std::log10(2.0);
+}
+
+Receiver ReceiverOf(const std::vector<double>& row) {
+  return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, 0};
+}
+
+class FormulasAgree : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(FormulasAgree, ToSixtyDigits) {
+  const auto folder = CaseFolder(GetParam());
+  const Result<Scene> scene = ReadScene(folder / "scene.obj");
+  ASSERT_TRUE(scene.ok());
+  const ContourEngine engine(*scene.value);
+  ContourBuilder builder(engine);
+  Contour contour;
+  int sources = 0;
+  int unbounded = 0;
+  for (const auto& row : ReadNumbers(folder / "expected.csv")) {
+    const ContourQuery query{*scene.value, ReceiverOf(row), 0};
+    builder.Build(query, contour);
+    const std::vector<Rgb> weights(contour.sources.size(), {1, 1, 1});
+    const WeightedContour weighted{ViewOf(query), contour, weights};
+    FormulaEvaluation<Multiprecision> formulas(weighted, 0x1p20, 1024);
+    for (const Formula formula : kClosedForms)
+      formulas.Prepare(formula);
+    for (std::size_t i = 0; i < formulas.lit().size(); ++i) {
+      ++sources;
+      const Multiprecision truth =
+          formulas.Evaluate(Formula::kLambertEdge, i).value;
+      ASSERT_FALSE(IsNegative(truth) || IsZero(truth));
+      for (const Formula formula : kClosedForms) {
+        const auto sum = formulas.Evaluate(formula, i);
+        ASSERT_TRUE(sum.applicable);
+        if (sum.truncation > 0) {
+          // The image plane cannot treat the horizon, and says so.
+          ASSERT_TRUE(NeedsBoundedRegion(formula));
+          ++unbounded;
+          const double missing = Leading(truth - sum.value);
+          EXPECT_GE(missing, 0);
+          EXPECT_LE(missing, sum.truncation);
+          continue;
+        }
+        if (DigitsApart(sum.value, truth) < -60) continue;
+        // A vertex 1e-300 above the horizon is 1e300 away on the image plane,
+        // and a y - b x loses 300 of the 308 digits.
+        EXPECT_EQ(GetParam(), "h06_elevation_decimal");
+        FormulaEvaluation<Multiprecision> more(weighted, 0x1p20, 2048);
+        more.Prepare(formula);
+        EXPECT_LT(DigitsApart(more.Evaluate(formula, i).value, truth), -60)
+            << Name(formula) << " source " << i;
+      }
+    }
+  }
+  RecordProperty("sources", sources);
+  RecordProperty("cut", unbounded);
+}
+
+/// What is not closed is as close as it says. 200 bits, as the cubature takes
+/// many points, and what it leaves out is not below 2^-60.
+TEST_P(FormulasAgree, UpToTruncation) {
+  const auto folder = CaseFolder(GetParam());
+  const Result<Scene> scene = ReadScene(folder / "scene.obj");
+  ASSERT_TRUE(scene.ok());
+  const ContourEngine engine(*scene.value);
+  ContourBuilder builder(engine);
+  Contour contour;
+  int applicable = 0;
+  constexpr int kMaxSources = 20;
+  for (const auto& row : ReadNumbers(folder / "expected.csv")) {
+    const ContourQuery query{*scene.value, ReceiverOf(row), 0};
+    builder.Build(query, contour);
+    const std::vector<Rgb> weights(contour.sources.size(), {1, 1, 1});
+    const WeightedContour weighted{ViewOf(query), contour, weights};
+    FormulaEvaluation<Multiprecision> formulas(weighted, 0x1p20, 200);
+    for (const Formula formula :
+         {Formula::kLambertEdge, Formula::kSeries, Formula::kCubature}) {
+      formulas.Prepare(formula);
+    }
+    for (std::size_t i = 0; i < formulas.lit().size(); ++i) {
+      const Multiprecision truth =
+          formulas.Evaluate(Formula::kLambertEdge, i).value;
+      for (const Formula formula : {Formula::kSeries, Formula::kCubature}) {
+        const auto sum = formulas.Evaluate(formula, i);
+        if (!sum.applicable) continue;
+        EXPECT_LE(std::fabs(Leading(truth - sum.value)),
+                  sum.truncation + 1e-45 * Leading(truth))
+            << Name(formula);
+        ++applicable;
+      }
+      if (applicable > 2 * kMaxSources) return;
+    }
+  }
+  RecordProperty("applicable", applicable);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, FormulasAgree,
+                         ::testing::ValuesIn(CaseNames()));
+
+}  // namespace
+}  // namespace truelux::testing

@@ -1,5 +1,6 @@
 // Random numbers of one case of a regime: the same on every platform, and
-// independent of how many numbers other cases have drawn.
+// independent of how many numbers other cases have drawn. Two draws never stand
+// in one expression whose order the language leaves open.
 
 #ifndef TRUELUX_BASELINES_CASE_RANDOM_H_
 #define TRUELUX_BASELINES_CASE_RANDOM_H_

@@ -179,7 +179,7 @@ TEST(Sphere, AnywhereWithANormalOfAnyLength) {
     const int kind = i % 3;
     sphere.radius =
         d * (kind == 0   ? random.Uniform(0.01, 0.99)
-             : kind == 1 ? std::pow(10, random.Uniform(-9, 0))
+             : kind == 1 ? std::pow(10, random.Uniform(-12, 0))
                          : 1 - std::pow(10, random.Uniform(-14, 0)));
     const Number truth = TruthOf(receiver, sphere);
     const Rgb e = IrradianceFromSphere(receiver, sphere);

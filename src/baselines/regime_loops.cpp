@@ -114,6 +114,52 @@ ViewChart Around(const Vector3& axis) {
   return {axis, right, Cross(axis, right)};
 }
 
+/// Whether the form factor of a loop around the origin is positive, by
+/// Lambert's formula; for loops whose form factor is far from 0.
+bool IsCounterClockwise(const Loop& loop) {
+  double sum = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Point3& p = loop[i];
+    const Point3& q = loop[(i + 1) % loop.size()];
+    const Vector3 across = Cross({p.x, p.y, p.z}, {q.x, q.y, q.z});
+    const double length = LengthOf(across);
+    const double along = p.x * q.x + p.y * q.y + p.z * q.z;
+    sum -= std::atan2(length, along) * across.z / length;
+  }
+  return sum > 0;
+}
+
+/// An outline whose `count` lowest points are moved down to the horizon, which
+/// may turn a triangle over.
+Loop Lowered(CaseRandom& random, int count) {
+  const double azimuth = AnyAzimuth(random);
+  const double distance = random.Uniform(0.5, 5);
+  std::vector<ChartPoint> outline;
+  do {
+    outline = Outline(random);
+  } while (!std::ranges::all_of(outline, [](const ChartPoint& q) {
+    return std::hypot(q.x, q.y) > 0.75;
+  }));
+  std::vector<std::size_t> by_height(outline.size());
+  std::iota(by_height.begin(), by_height.end(), std::size_t{0});
+  std::ranges::sort(by_height, {}, [&](std::size_t i) { return outline[i].y; });
+  std::vector<double> elevations(outline.size());
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    elevations[i] = 0.55 + 0.4 * outline[i].y;
+  for (int i = 0; i < count; ++i) {
+    elevations[by_height[static_cast<std::size_t>(i)]] =
+        1e-12 * random.Uniform(1, 3);
+  }
+  Loop loop;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const double at = azimuth + 0.5 * outline[i].x;
+    const double horizontal = distance * std::cos(elevations[i]);
+    loop.push_back({horizontal * std::cos(at), horizontal * std::sin(at),
+                    distance * std::sin(elevations[i])});
+  }
+  return loop;
+}
+
 }  // namespace
 
 Loop LoopOfSize(CaseRandom& random, double size) {
@@ -143,32 +189,10 @@ Loop WideLowLoop(CaseRandom& random, double elevation) {
 }
 
 Loop LoopDownToTheHorizon(CaseRandom& random, int count) {
-  const double azimuth = AnyAzimuth(random);
-  const double distance = random.Uniform(0.5, 5);
-  std::vector<ChartPoint> outline;
-  do {
-    outline = Outline(random);
-  } while (!std::ranges::all_of(outline, [](const ChartPoint& q) {
-    return std::hypot(q.x, q.y) > 0.75;
-  }));
-  std::vector<std::size_t> by_height(outline.size());
-  std::iota(by_height.begin(), by_height.end(), std::size_t{0});
-  std::ranges::sort(by_height, {}, [&](std::size_t i) { return outline[i].y; });
-  std::vector<double> elevations(outline.size());
-  for (std::size_t i = 0; i < outline.size(); ++i)
-    elevations[i] = 0.55 + 0.4 * outline[i].y;
-  for (int i = 0; i < count; ++i) {
-    elevations[by_height[static_cast<std::size_t>(i)]] =
-        1e-12 * random.Uniform(1, 3);
+  while (true) {
+    Loop loop = Lowered(random, count);
+    if (IsCounterClockwise(loop)) return loop;
   }
-  Loop loop;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const double at = azimuth + 0.5 * outline[i].x;
-    const double horizontal = distance * std::cos(elevations[i]);
-    loop.push_back({horizontal * std::cos(at), horizontal * std::sin(at),
-                    distance * std::sin(elevations[i])});
-  }
-  return loop;
 }
 
 Loop SliverLoop(CaseRandom& random, double length, double width) {

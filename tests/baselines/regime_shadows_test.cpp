@@ -127,11 +127,14 @@ TEST(RegimeShadows, AVertexMissesAnEdge) {
           std::abs(AngleToPlane(vertex, FirstEdgeOf(made, 1)));
       const double to_blocker =
           std::abs(AngleToPlane(vertex, FirstEdgeOf(made, 3)));
-      ExpectAngle(std::min(to_source, to_blocker), miss);
-      if (to_source < to_blocker) ++of_source;
+      // The other edge may be close, too, but by chance.
+      const bool is_source =
+          std::abs(to_source - miss) < std::abs(to_blocker - miss);
+      ExpectAngle(is_source ? to_source : to_blocker, miss);
+      if (is_source) ++of_source;
     }
-    EXPECT_GT(of_source, 8);
-    EXPECT_LT(of_source, 32);
+    EXPECT_GT(of_source, static_cast<int>(kCases) / 5);
+    EXPECT_LT(of_source, static_cast<int>(kCases) * 4 / 5);
   }
 }
 

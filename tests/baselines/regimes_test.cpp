@@ -124,7 +124,7 @@ TEST(Regimes, AngularSize) {
   for (int k = 0; k <= 8; ++k) {
     const double size = std::pow(10, -k);
     ForCasesOf("size " + Text(k), [&](const RegimeCase&, const auto& loop) {
-      EXPECT_GT(Diameter(loop), 0.2 * size);
+      EXPECT_GT(Diameter(loop), 0.15 * size);
       EXPECT_LT(Diameter(loop), 1.001 * size);
     });
   }
@@ -135,14 +135,14 @@ TEST(Regimes, ElevationAboveTheHorizon) {
     const double elevation = std::pow(10, -k);
     ForCasesOf("elevation " + Text(k) + " iso",
                [&](const RegimeCase&, const auto& loop) {
-                 EXPECT_GT(Diameter(loop), 0.1 * elevation);
+                 EXPECT_GT(Diameter(loop), 0.08 * elevation);
                  EXPECT_LT(Diameter(loop), 0.601 * elevation);
                  for (const RealVec& v : loop)
                    EXPECT_NEAR(Elevation(v), elevation, 0.301 * elevation);
                });
     ForCasesOf("elevation " + Text(k) + " wide",
                [&](const RegimeCase&, const auto& loop) {
-                 EXPECT_GT(Diameter(loop), 0.15);
+                 EXPECT_GT(Diameter(loop), 0.08);
                  EXPECT_LT(Diameter(loop), 1.2);
                  for (const RealVec& v : loop) {
                    EXPECT_GT(Elevation(v), 0.75 * elevation);
@@ -175,7 +175,7 @@ TEST(Regimes, VerticesOnTheHorizonButForTheLastBits) {
 TEST(Regimes, SliversAreThin) {
   const auto check = [](const std::string& name, double length, double width) {
     ForCasesOf(name, [&](const RegimeCase&, const auto& loop) {
-      EXPECT_GT(Diameter(loop), 0.2 * length);
+      EXPECT_GT(Diameter(loop), 0.1 * length);
       EXPECT_LT(Diameter(loop), 1.001 * length);
       const auto farthest = std::ranges::max_element(
           loop, {}, [&](const auto& v) { return AngleBetween(loop[0], v); });

@@ -114,23 +114,55 @@ ViewChart Around(const Vector3& axis) {
   return {axis, right, Cross(axis, right)};
 }
 
-/// Whether the form factor of a loop around the origin is positive, by
-/// Lambert's formula; for loops whose form factor is far from 0.
-bool IsCounterClockwise(const Loop& loop) {
-  double sum = 0;
+double Determinant(const Point3& a, const Point3& b, const Point3& c) {
+  return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
+         a.z * (b.x * c.y - b.y * c.x);
+}
+
+/// Whether a b and c d cross as seen from the origin; all above z = 0.
+bool SidesCross(const Point3& a, const Point3& b, const Point3& c,
+                const Point3& d) {
+  return Determinant(a, b, c) * Determinant(a, b, d) < 0 &&
+         Determinant(c, d, a) * Determinant(c, d, b) < 0;
+}
+
+/// Whether a loop above z = 0 is simple and counter-clockwise as seen from the
+/// origin. Multiplying all z by a positive number changes neither, and rounding
+/// does not matter where z is not small.
+bool IsGoodContour(const Loop& loop) {
+  double form_factor = 0;  // by Lambert's formula, times a constant
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Point3& p = loop[i];
     const Point3& q = loop[(i + 1) % loop.size()];
+    // Sides without a common corner.
+    const std::size_t end = loop.size() - (i == 0 ? 1 : 0);
+    for (std::size_t j = i + 2; j < end; ++j) {
+      if (SidesCross(p, q, loop[j], loop[(j + 1) % loop.size()])) return false;
+    }
     const Vector3 across = Cross({p.x, p.y, p.z}, {q.x, q.y, q.z});
     const double length = LengthOf(across);
     const double along = p.x * q.x + p.y * q.y + p.z * q.z;
-    sum -= std::atan2(length, along) * across.z / length;
+    form_factor -= std::atan2(length, along) * across.z / length;
   }
-  return sum > 0;
+  return form_factor > 0;
 }
 
-/// An outline whose `count` lowest points are moved down to the horizon, which
-/// may turn a triangle over.
+/// An outline bent around the axis, at elevations of 1 and more.
+Loop Bent(CaseRandom& random) {
+  const double azimuth = AnyAzimuth(random);
+  const double width = random.Uniform(0.3, 0.6);
+  const double distance = random.Uniform(0.5, 5);
+  Loop loop;
+  for (const ChartPoint& q : Outline(random)) {
+    const double at = azimuth + width * q.x;
+    const double radius = distance * (1 + 0.3 * q.x);
+    loop.push_back({radius * std::cos(at), radius * std::sin(at),
+                    distance * (1.5 + 0.5 * q.y)});
+  }
+  return loop;
+}
+
+/// An outline whose `count` lowest points are moved down to the horizon.
 Loop Lowered(CaseRandom& random, int count) {
   const double azimuth = AnyAzimuth(random);
   const double distance = random.Uniform(0.5, 5);
@@ -174,24 +206,23 @@ Loop LowLoop(CaseRandom& random, double elevation) {
   return Place(random, elevation, 0.3 * elevation, 0.3 * elevation, 1.5);
 }
 
+// Bending an outline around the horizon, or moving points down to it, now and
+// then turns a triangle over: then another one is drawn.
+
 Loop WideLowLoop(CaseRandom& random, double elevation) {
-  const double azimuth = AnyAzimuth(random);
-  const double width = random.Uniform(0.3, 0.6);
-  const double distance = random.Uniform(0.5, 5);
-  Loop loop;
-  for (const ChartPoint& q : Outline(random)) {
-    const double at = azimuth + width * q.x;
-    const double radius = distance * (1 + 0.3 * q.x);
-    loop.push_back({radius * std::cos(at), radius * std::sin(at),
-                    distance * elevation * (1.5 + 0.5 * q.y)});
+  while (true) {
+    Loop loop = Bent(random);
+    if (!IsGoodContour(loop)) continue;
+    for (Point3& p : loop)
+      p.z *= elevation;
+    return loop;
   }
-  return loop;
 }
 
 Loop LoopDownToTheHorizon(CaseRandom& random, int count) {
   while (true) {
     Loop loop = Lowered(random, count);
-    if (IsCounterClockwise(loop)) return loop;
+    if (IsGoodContour(loop)) return loop;
   }
 }
 

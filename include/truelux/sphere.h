@@ -18,11 +18,19 @@ struct Sphere {
 /// The irradiance [W/m^2] at a receiver outside the sphere; nothing else is
 /// there, and what the receiver's horizon cuts off counts as dark.
 ///
-/// In double, without a proven bound: relative error <= 2e-14 measured, also
-/// where the sphere has almost set, given the direction and distance of the
-/// center from the receiver in double (Heitz 2017 (16) above the horizon;
-/// docs/method.md section 10 where the horizon cuts it). Throws std::invalid_argument if the radius is not positive, a
-/// number is not finite, the normal is zero or the receiver is inside.
+/// Heitz (2017), equation (16), M (R / d)^2 cos for a sphere above the horizon,
+/// and docs/method.md section 10 for one that the horizon cuts. In double,
+/// without a proven bound: relative error <= 4e-15 measured against 120
+/// digits, from the input numbers to the result, over R / d from 1e-12 to
+/// 1 (the receiver touches the sphere) and from a sphere that has all but set
+/// (the part above the horizon is 1e-12 R high) to one at the zenith, 1e9 R
+/// from the origin. Form factors below 2^-1022 lose digits. Multiplying all
+/// coordinates, the radius included, or the normal by a power of two leaves
+/// the bits as they are.
+///
+/// std::invalid_argument if a number is not finite, the radius is not
+/// positive, the normal is zero or the receiver is inside (decided exactly).
+/// on_face is not looked at.
 [[nodiscard]] Rgb IrradianceFromSphere(const Receiver& receiver,
                                        const Sphere& sphere);
 

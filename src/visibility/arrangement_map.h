@@ -31,6 +31,9 @@ struct MapEdge {
 struct ViewMap {
   std::vector<ImageDirection> vertices;
   std::vector<MapEdge> edges;
+  /// Per vertex the edges that end there, indices into `edges`, in the order
+  /// in which a turn to the left meets them.
+  std::vector<std::vector<int>> edges_around;
 };
 
 /// The map of the front-most facets (the smallest z/w). Where several are at

@@ -50,7 +50,7 @@ ExactPlane ExactPlaneOf(const Vec3<Exact>& n, const Exact& n_square,
                         const Vec3<Exact>& normal);
 
 /// H(d, N), what an edge in the plane N adds at its end d if the light is on
-/// its left when leaving d [docs/method.md (11)]; requires n.d >= 0.
+/// the side of d x (its other end) [docs/method.md (11)]; requires n.d >= 0.
 ///
 /// ascent: n x N.
 ExactTerm EndTerm(std::size_t plane, const Vec3<Exact>& n,

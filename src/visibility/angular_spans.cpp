@@ -46,7 +46,7 @@ class SpanReader {
     return facet >= 0 && facets_[static_cast<std::size_t>(facet)].is_source;
   }
 
-  /// What is seen to the left of an edge when leaving one of its ends.
+  /// What is seen on the left of an edge, in the chart, when leaving a vertex.
   int FacetLeftOf(int vertex, int edge) const {
     return Edge(edge).from == vertex ? Edge(edge).left : Edge(edge).right;
   }

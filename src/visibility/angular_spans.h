@@ -22,9 +22,8 @@
 
 namespace truelux {
 
-/// A sector between two neighbouring edges at a vertex v. It lies to the left
-/// of the edge that it begins at, for a viewer at r who looks along the edge
-/// away from v.
+/// A sector between two neighbouring edges at a vertex v. It begins at the
+/// first of them, on the side to which edge_plane points.
 struct AngularSpan {
   int facet = -1;  ///< seen in it, index into Scene::facets(); -1: none, or
                    ///< beyond the chart
@@ -33,8 +32,9 @@ struct AngularSpan {
   Vec3<Exact> edge_plane;  ///< normal of the edge's plane: v x edge_end
 };
 
-/// A vertex and the spans around it, in the order of a turn to the left; at
-/// least two, neighbours with different facets, the last before the first.
+/// A vertex and the spans around it, in the order of a right-handed turn about
+/// v; at least two, neighbours with different facets, the last one before the
+/// first.
 struct SpanVertex {
   Vec3<Exact> direction;  ///< v
   std::vector<AngularSpan> spans;

@@ -31,8 +31,8 @@ struct MapEdge {
 struct ViewMap {
   std::vector<ImageDirection> vertices;
   std::vector<MapEdge> edges;
-  /// Per vertex the edges that end there, indices into `edges`, in the order
-  /// in which a turn to the left meets them.
+  /// Per vertex the edges that end there, indices into `edges`, counter-
+  /// clockwise in the chart.
   std::vector<std::vector<int>> edges_around;
 };
 

@@ -1,10 +1,6 @@
 // The stages in order: double or double-double with a running bound, then
 // MPFR with growing precision.
 
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 #include "exact/ball.h"
 #include "radiometry/ball_stage.h"
 #include "radiometry/evaluation_workspace.h"

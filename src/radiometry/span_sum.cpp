@@ -59,7 +59,7 @@ class SpanSum {
     const std::size_t index = sum_.planes.size();
     const Vec3<Exact> ascent = Cross(n_, normal);
     if (IsZero(ascent)) {
-      // N = v x edge_end is as long as what it is the product of.
+      // |v x edge_end| |N| = N.N.
       group->terms.push_back(
           HorizonEndTerm(index, v, span.edge_end, plane.normal_square, below));
     } else {

@@ -20,10 +20,13 @@ namespace truelux {
 
 /// kContour walks the edges; kArrangement builds the whole view as an exact
 /// planar map and is slow. They share no line of visibility and agree.
-enum class Engine { kContour, kArrangement };
+/// kAngularSpans sums over the vertices of the same map by what is seen around
+/// each of them, as vertex tracing does, without a contour; it agrees, too.
+enum class Engine { kContour, kArrangement, kAngularSpans };
 
 /// kCertified: the binary64 nearest to the true value.
-/// kDouble: the same exact visibility, summed in double, with a proven bound.
+/// kDouble: the same exact visibility, summed in double, with a proven bound
+/// (with kAngularSpans the certified value and its bound).
 enum class Method { kCertified, kDouble };
 
 /// How a scene's emission (Ke) is read: as radiant exitance M [W/m^2], or as
@@ -36,6 +39,7 @@ struct OracleOptions {
   Emission emission = Emission::kExitance;
   /// kCertified does not depend on it: kHomogeneous and kUnified sum over
   /// vertices there, all others over arcs, and both give the same bits.
+  /// kAngularSpans always sums over vertices.
   Formula formula = Formula::kAuto;
   /// kImagePlane and kDirections cut what is visible to the square of this
   /// half-side on the image plane (at unit distance), > 0; the bound holds
@@ -86,6 +90,7 @@ class Oracle {
   [[nodiscard]] Irradiance FormFactor(const Receiver& receiver, int face) const;
 
   /// The visible contour of every source that is visible from the receiver.
+  /// kAngularSpans has none: it is that of kArrangement then.
   [[nodiscard]] VisibleContour Contour(const Receiver& receiver) const;
 
  private:

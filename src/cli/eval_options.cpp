@@ -38,15 +38,13 @@ CLI::Option* AddWord(CLI::App& command, const char* name, std::string& word,
   return command.add_option(name, word, help)->capture_default_str();
 }
 
-/// The same for an option that takes one of two words.
+/// The same for an option that takes one of some words.
 void AddChoice(CLI::App& command, const char* name, std::string& word,
-               std::string_view first, std::string_view second,
-               const char* help) {
-  const std::vector<std::string> words = {std::string(first),
-                                          std::string(second)};
+               const std::vector<std::string_view>& choices, const char* help) {
+  const std::vector<std::string> words(choices.begin(), choices.end());
   AddWord(command, name, word, help)
       ->check(CLI::IsMember(words).description(""))
-      ->type_name(words[0] + "|" + words[1]);
+      ->type_name(CLI::detail::join(words, "|"));
 }
 
 void AddInputs(CLI::App& command, EvalArguments& arguments) {
@@ -87,16 +85,18 @@ void AddChoices(CLI::App& command, EvalArguments& arguments) {
   arguments.engine = Name(defaults.engine);
   arguments.emission = Name(defaults.emission);
   arguments.threads = std::to_string(DefaultThreads());
-  AddChoice(command, "--method", arguments.method, Name(Method::kCertified),
-            Name(Method::kDouble),
+  AddChoice(command, "--method", arguments.method,
+            {Name(Method::kCertified), Name(Method::kDouble)},
             "certified: the nearest binary64; double: the same visibility,\n"
             "summed in double, with a proven bound");
-  AddChoice(command, "--engine", arguments.engine, Name(Engine::kContour),
-            Name(Engine::kArrangement),
-            "how visibility is found; both give the same results, but\n"
-            "arrangement is slow");
+  AddChoice(command, "--engine", arguments.engine,
+            {Name(Engine::kContour), Name(Engine::kArrangement),
+             Name(Engine::kAngularSpans)},
+            "how visibility is found; all give the same results, but\n"
+            "arrangement is slow, and so is angular-spans, which sums over\n"
+            "the same map vertex by vertex");
   AddChoice(command, "--emission", arguments.emission,
-            Name(Emission::kExitance), Name(Emission::kRadiance),
+            {Name(Emission::kExitance), Name(Emission::kRadiance)},
             "what Ke is: radiant exitance M [W/m^2], or\n"
             "radiance L [W/m^2/sr], M = pi L");
   AddWord(command, "--threads", arguments.threads,

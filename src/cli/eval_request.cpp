@@ -102,8 +102,8 @@ EvalRequest ParseEvalRequest(const EvalArguments& arguments) {
   request.on_face = arguments.on_face.value_or("");
   request.threads = ParseThreads(arguments.threads);
   // The parser of the command line has refused all other words.
-  if (arguments.engine == Name(Engine::kArrangement)) {
-    request.options.engine = Engine::kArrangement;
+  for (const Engine engine : {Engine::kArrangement, Engine::kAngularSpans}) {
+    if (arguments.engine == Name(engine)) request.options.engine = engine;
   }
   if (arguments.method == Name(Method::kDouble)) {
     request.options.method = Method::kDouble;

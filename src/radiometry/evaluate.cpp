@@ -13,18 +13,17 @@ void FindWeights(const ContourQuery& query, const Contour& contour,
                  std::vector<Rgb>& weights) {
   weights.clear();
   for (const SourceArcs& source : contour.sources) {
-    if (query.only_source != 0) {
-      weights.push_back({1, 1, 1});
-      continue;
-    }
-    const Facet& facet =
-        query.scene.facets()[static_cast<std::size_t>(source.facet)];
-    weights.push_back(
-        query.scene.faces()[static_cast<std::size_t>(facet.face)].emission);
+    weights.push_back(WeightOf(query, source.facet));
   }
 }
 
 }  // namespace
+
+Rgb WeightOf(const ContourQuery& query, int facet) {
+  if (query.only_source != 0) return {1, 1, 1};
+  const int face = query.scene.facets()[static_cast<std::size_t>(facet)].face;
+  return query.scene.faces()[static_cast<std::size_t>(face)].emission;
+}
 
 Irradiance EvaluateContour(const ContourQuery& query, const Contour& contour,
                            const EvaluationQuery& evaluation,

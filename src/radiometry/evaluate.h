@@ -29,6 +29,10 @@ inline bool SumsOverVertices(Formula formula) {
 /// worth choosing another formula for each source.
 bool HasWideBound(const Irradiance& result);
 
+/// What a facet's light is weighted with, as a source of this query: the
+/// emission of its face, or 1 if query.only_source is set.
+Rgb WeightOf(const ContourQuery& query, int facet);
+
 /// Sum over the contour's sources of M_source * F_source, per channel, where
 /// M is the emission of the source's face (or 1 if query.only_source is set).
 ///

@@ -1,13 +1,10 @@
 // The stages in order: double or double-double with a running bound, then
 // MPFR with growing precision.
 
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 #include "exact/ball.h"
 #include "radiometry/ball_stage.h"
 #include "radiometry/evaluation_workspace.h"
+#include "radiometry/multiprecision_answer.h"
 #include "radiometry/multiprecision_stage.h"
 #include "radiometry/named_formula.h"
 #include "radiometry/rounding.h"
@@ -15,22 +12,6 @@
 
 namespace truelux {
 namespace {
-
-constexpr mpfr_prec_t kFirstPrecision = 128;
-
-/// From here on an enclosure with one midpoint in it is taken as a tie.
-constexpr mpfr_prec_t kTiePrecision = 4096;
-
-/// No contour of area > 0 needs more; one without area (an engine's mistake)
-/// would run for ever.
-constexpr mpfr_prec_t kLastPrecision = 1 << 17;
-
-/// Which channels are still to be answered.
-using Channels = std::array<bool, 3>;
-
-bool Any(const Channels& channels) {
-  return channels[0] || channels[1] || channels[2];
-}
 
 Channels LitChannels(const WeightedContour& contour) {
   Channels lit{};
@@ -40,14 +21,6 @@ Channels LitChannels(const WeightedContour& contour) {
     }
   }
   return lit;
-}
-
-void AnswerCertified(double value, std::size_t channel, Channels& open,
-                     Irradiance& result) {
-  result.value[channel] = value;
-  result.bound[channel] = HalfSpacing(value);
-  open[channel] = false;
-  if (std::isinf(value)) ++result.statistics.overflows;
 }
 
 /// Answers what plain double can bound, clamped to >= 0 as E is.
@@ -101,29 +74,6 @@ void AnswerInDoubleDouble(const WeightedContour& contour,
   }
 }
 
-void AnswerInMultiprecision(const WeightedContour& contour,
-                            const EvaluationQuery& evaluation,
-                            const std::vector<bool>& on_horizon, Channels& open,
-                            Irradiance& result) {
-  const MultiprecisionStage stage(contour, evaluation, on_horizon);
-  for (mpfr_prec_t p = kFirstPrecision; Any(open); p *= 2) {
-    if (p > kLastPrecision) {
-      throw std::logic_error("irradiance: a contour without area");
-    }
-    result.statistics.max_precision_bits = static_cast<std::uint64_t>(p);
-    const std::array<Enclosure, 3> enclosures = stage.Evaluate(p);
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      if (!open[channel]) continue;
-      auto value = RoundIfCertain(enclosures[channel]);
-      if (!value && p >= kTiePrecision) {
-        value = RoundTieToEven(enclosures[channel]);
-        if (value) ++result.statistics.ties;
-      }
-      if (value) AnswerCertified(*value, channel, open, result);
-    }
-  }
-}
-
 }  // namespace
 
 bool HasWideBound(const Irradiance& result) {
@@ -169,7 +119,8 @@ Irradiance EvaluateWeighted(const WeightedContour& contour,
     result.statistics.evaluated_double_double = 1;
     return result;
   }
-  AnswerInMultiprecision(contour, evaluation, on_horizon, open, result);
+  AnswerInMultiprecision(MultiprecisionStage(contour, evaluation, on_horizon),
+                         open, result);
   result.statistics.evaluated_multiprecision = 1;
   return result;
 }

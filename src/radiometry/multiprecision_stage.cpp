@@ -35,61 +35,79 @@ ExactVectors EvaluateExactly(const WeightedContour& contour) {
   return result;
 }
 
+/// What one arc adds: by its angle, or by its two ends.
+void AppendTerms(const ExactVectors& exact, const Arc& arc, bool over_ends,
+                 bool on_horizon, std::vector<ExactTerm>& terms) {
+  const auto plane = static_cast<std::size_t>(arc.plane);
+  const Vec3<Exact>& n = exact.receiver_normal;
+  const Vec3<Exact>& normal = exact.planes[plane];
+  const Vec3<Exact>& d1 = exact.directions[static_cast<std::size_t>(arc.from)];
+  const Vec3<Exact>& d2 = exact.directions[static_cast<std::size_t>(arc.to)];
+  if (over_ends && !on_horizon) {
+    const Vec3<Exact> ascent = Cross(n, normal);
+    terms.push_back(EndTerm(plane, n, ascent, d1, false));
+    terms.push_back(EndTerm(plane, n, ascent, d2, true));
+    return;
+  }
+  const Exact t = Determinant(d1, d2, normal);
+  const Exact across = arc.positive ? t : -t;
+  if (over_ends) {
+    const bool below =
+        (SignOf(Dot(n, normal)) == Sign::kNegative) == arc.positive;
+    terms.push_back(HorizonEndTerm(plane, d1, d2, across, below));
+    terms.push_back(HorizonEndTerm(plane, d2, d1, across, below));
+  } else {
+    terms.push_back({plane, across, Dot(d1, d2), false, true, !arc.positive});
+  }
+}
+
+ExactSum SumOf(const WeightedContour& contour,
+               const EvaluationQuery& evaluation,
+               const std::vector<bool>& on_horizon) {
+  const ExactVectors exact = EvaluateExactly(contour);
+  const Vec3<Exact>& n = exact.receiver_normal;
+  const Exact n_square = Dot(n, n);
+  const bool over_ends = SumsOverVertices(evaluation.formula);
+  ExactSum sum;
+  sum.planes.reserve(exact.planes.size());
+  for (const Vec3<Exact>& normal : exact.planes) {
+    sum.planes.push_back(ExactPlaneOf(n, n_square, normal));
+  }
+  for (std::size_t i = 0; i < contour.contour.sources.size(); ++i) {
+    if (!contour.IsLit(i)) continue;
+    const Rgb& weight = contour.weights[i];
+    WeightedTerms group{{Exact(weight[0]), Exact(weight[1]), Exact(weight[2])},
+                        {}};
+    for (const Arc& arc : contour.ArcsOf(contour.contour.sources[i])) {
+      const bool flat =
+          over_ends && on_horizon[static_cast<std::size_t>(arc.plane)];
+      AppendTerms(exact, arc, over_ends, flat, group.terms);
+    }
+    sum.groups.push_back(std::move(group));
+  }
+  return sum;
+}
+
 }  // namespace
+
+MultiprecisionStage::MultiprecisionStage(ExactSum sum, Emission emission)
+    : sum_(std::move(sum)), emission_(emission) {
+  for (const WeightedTerms& group : sum_.groups) {
+    term_count_ += group.terms.size();
+  }
+}
 
 MultiprecisionStage::MultiprecisionStage(const WeightedContour& contour,
                                          const EvaluationQuery& evaluation,
                                          const std::vector<bool>& on_horizon)
-    : emission_(evaluation.emission) {
-  const ExactVectors exact = EvaluateExactly(contour);
-  const Vec3<Exact>& n = exact.receiver_normal;
-  const Exact n_square = Dot(n, n);
-  planes_.reserve(exact.planes.size());
-  for (const Vec3<Exact>& normal : exact.planes) {
-    const Exact square = Dot(normal, normal);
-    planes_.push_back({square, Dot(n, normal), square * n_square});
-  }
-  for (std::size_t i = 0; i < contour.contour.sources.size(); ++i) {
-    if (!contour.IsLit(i)) continue;
-    Source source{contour.weights[i], {}};
-    for (const Arc& arc : contour.ArcsOf(contour.contour.sources[i])) {
-      const auto plane = static_cast<std::size_t>(arc.plane);
-      const Vec3<Exact>& normal = exact.planes[plane];
-      const Vec3<Exact>& d1 =
-          exact.directions[static_cast<std::size_t>(arc.from)];
-      const Vec3<Exact>& d2 =
-          exact.directions[static_cast<std::size_t>(arc.to)];
-      const Exact t = Determinant(d1, d2, normal);
-      if (!SumsOverVertices(evaluation.formula)) {
-        source.terms.push_back({plane, arc.positive ? t : -t, Dot(d1, d2),
-                                false, true, !arc.positive});
-      } else if (on_horizon[plane]) {
-        const Exact along = Dot(d1, d2);
-        const Exact across = arc.positive ? t : -t;
-        const bool downward = (planes_[plane].cosine_part.sign() ==
-                               CGAL::NEGATIVE) == arc.positive;
-        source.terms.push_back(
-            {plane, Dot(d2, d2) - along, across, true, false, downward});
-        source.terms.push_back(
-            {plane, along - Dot(d1, d1), across, true, false, !downward});
-      } else {
-        const Vec3<Exact> ascent = Cross(n, normal);
-        source.terms.push_back(
-            {plane, Dot(d1, ascent), Dot(n, d1), false, true, false});
-        source.terms.push_back(
-            {plane, Dot(d2, ascent), Dot(n, d2), false, true, true});
-      }
-    }
-    term_count_ += source.terms.size();
-    sources_.push_back(std::move(source));
-  }
-}
+    : MultiprecisionStage(SumOf(contour, evaluation, on_horizon),
+                          evaluation.emission) {}
 
 MultiprecisionStage::Sum MultiprecisionStage::SumOfTerms(
-    const Source& source, const std::vector<RoundedPlane>& planes,
-    mpfr_prec_t precision) const {
+    const WeightedTerms& group, const std::vector<RoundedPlane>& planes,
+    mpfr_prec_t precision) {
   Sum sum{Multiprecision(precision), Multiprecision(precision)};
-  for (const Term& term : source.terms) {
+  for (const ExactTerm& term : group.terms) {
     const RoundedPlane& plane = planes[term.plane];
     Multiprecision y(precision, term.y);
     Multiprecision x(precision, term.x);
@@ -121,8 +139,8 @@ void MultiprecisionStage::ToIrradiance(mpfr_prec_t precision, Multiprecision& x,
 std::array<Enclosure, 3> MultiprecisionStage::Evaluate(
     mpfr_prec_t precision) const {
   std::vector<RoundedPlane> planes;
-  planes.reserve(planes_.size());
-  for (const Plane& plane : planes_) {
+  planes.reserve(sum_.planes.size());
+  for (const ExactPlane& plane : sum_.planes) {
     RoundedPlane rounded{Multiprecision(precision, plane.normal_square),
                          Multiprecision(precision, plane.both_squares)};
     mpfr_sqrt(rounded.length.get(), rounded.length.get(), MPFR_RNDN);
@@ -132,21 +150,22 @@ std::array<Enclosure, 3> MultiprecisionStage::Evaluate(
     planes.push_back(std::move(rounded));
   }
   std::vector<Sum> sums;
-  sums.reserve(sources_.size());
-  for (const Source& source : sources_) {
-    sums.push_back(SumOfTerms(source, planes, precision));
+  sums.reserve(sum_.groups.size());
+  for (const WeightedTerms& group : sum_.groups) {
+    sums.push_back(SumOfTerms(group, planes, precision));
   }
-  const auto count = static_cast<double>(term_count_ + sources_.size() + 16);
+  const auto count = static_cast<double>(term_count_ + sum_.groups.size() + 16);
   const auto channel_enclosure = [&](std::size_t channel) {
     Multiprecision value(precision);
     Multiprecision error(precision);
     Multiprecision product(precision);
-    for (std::size_t i = 0; i < sources_.size(); ++i) {
-      const double weight = sources_[i].weight[channel];
-      if (weight == 0) continue;
-      mpfr_mul_d(product.get(), sums[i].value.get(), weight, MPFR_RNDN);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      if (sum_.groups[i].weight[channel].is_zero()) continue;
+      Multiprecision weight(precision, sum_.groups[i].weight[channel]);
+      mpfr_mul(product.get(), sums[i].value.get(), weight.get(), MPFR_RNDN);
       mpfr_add(value.get(), value.get(), product.get(), MPFR_RNDN);
-      mpfr_mul_d(product.get(), sums[i].magnitude.get(), weight, MPFR_RNDU);
+      mpfr_abs(weight.get(), weight.get(), MPFR_RNDN);
+      mpfr_mul(product.get(), sums[i].magnitude.get(), weight.get(), MPFR_RNDU);
       mpfr_add(error.get(), error.get(), product.get(), MPFR_RNDU);
     }
     ToIrradiance(precision, value, MPFR_RNDN);

@@ -13,6 +13,8 @@
 #include "exact/pool.h"
 #include "radiometry/evaluate.h"
 #include "radiometry/evaluation_workspace.h"
+#include "radiometry/span_sum.h"
+#include "visibility/angular_spans.h"
 #include "visibility/arrangement_engine.h"
 #include "visibility/contour_engine.h"
 #include "visibility/visible_contour.h"
@@ -83,6 +85,26 @@ void BuildContour(const ContourQuery& query, Engine engine,
   }
 }
 
+Irradiance Answer(const ContourQuery& query, Engine engine,
+                  const EvaluationQuery& evaluation, Workspace& workspace) {
+  if (engine == Engine::kAngularSpans) {
+    return EvaluateSpans(query, AngularSpansOf(query), evaluation);
+  }
+  BuildContour(query, engine, workspace);
+  Irradiance result = EvaluateContour(query, workspace.contour, evaluation,
+                                      workspace.evaluation);
+  if (evaluation.method == Method::kDouble && workspace.contour.is_joined &&
+      HasWideBound(result)) {
+    // To choose a formula for each source takes the whole contour of each.
+    ContourQuery each = query;
+    each.join_sources = false;
+    BuildContour(each, engine, workspace);
+    result = EvaluateContour(each, workspace.contour, evaluation,
+                             workspace.evaluation);
+  }
+  return result;
+}
+
 }  // namespace
 
 Oracle::Oracle(Scene scene, const OracleOptions& options)
@@ -108,18 +130,7 @@ void Oracle::Evaluate(
           receivers.subspan(i, std::min(kBlockSize, receivers.size() - i)));
     }
     query.receiver = receivers[i];
-    BuildContour(query, options_.engine, *workspace);
-    Irradiance result = EvaluateContour(query, workspace->contour, evaluation,
-                                        workspace->evaluation);
-    if (options_.method == Method::kDouble && workspace->contour.is_joined &&
-        HasWideBound(result)) {
-      query.join_sources = false;
-      BuildContour(query, options_.engine, *workspace);
-      result = EvaluateContour(query, workspace->contour, evaluation,
-                               workspace->evaluation);
-      query.join_sources = join;
-    }
-    take(i, result);
+    take(i, Answer(query, options_.engine, evaluation, *workspace));
   }
 }
 
@@ -147,11 +158,10 @@ Irradiance Oracle::FormFactor(const Receiver& receiver, int face) const {
   RequireFace(face, 1, scene_, "the face number");
   const ContourQuery query{scene_, receiver, face};
   const auto workspace = prepared_->Borrow();
-  BuildContour(query, options_.engine, *workspace);
-  return EvaluateContour(query, workspace->contour,
-                         {options_.method, Emission::kExitance,
-                          options_.formula, options_.half_side},
-                         workspace->evaluation);
+  return Answer(query, options_.engine,
+                {options_.method, Emission::kExitance, options_.formula,
+                 options_.half_side},
+                *workspace);
 }
 
 VisibleContour Oracle::Contour(const Receiver& receiver) const {

@@ -103,7 +103,15 @@ std::string JsonText(const RunReport& report) {
 }
 
 std::string_view Name(Engine engine) {
-  return engine == Engine::kArrangement ? "arrangement" : "contour";
+  switch (engine) {
+    case Engine::kContour:
+      break;
+    case Engine::kArrangement:
+      return "arrangement";
+    case Engine::kAngularSpans:
+      return "angular-spans";
+  }
+  return "contour";
 }
 
 std::string_view Name(Method method) {

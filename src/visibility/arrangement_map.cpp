@@ -108,6 +108,9 @@ class MapBuilder {
  private:
   using Corners = std::array<Kernel::Point_2, 3>;
 
+  /// Per half-edge that is part of the map its edge there.
+  using EdgeIndex = std::unordered_map<const void*, int>;
+
   static ImageDirection Flat(const ImagePoint& p) { return {p.x, p.y, p.w}; }
 
   static std::size_t Index(int i) { return static_cast<std::size_t>(i); }
@@ -230,6 +233,7 @@ class MapBuilder {
       if (is_new) map.vertices.push_back(DirectionOf(vertex->point()));
       return entry->second;
     };
+    EdgeIndex edge_index;
     for (auto edge = arrangement_.edges_begin();
          edge != arrangement_.edges_end(); ++edge) {
       const int left = front_.at(&*edge->face());
@@ -237,9 +241,32 @@ class MapBuilder {
       if (left == right) continue;
       const int from = index(edge->source());
       const int to = index(edge->target());
+      edge_index[&*edge] = static_cast<int>(map.edges.size());
+      edge_index[&*edge->twin()] = static_cast<int>(map.edges.size());
       map.edges.push_back({from, to, left, right});
     }
+    map.edges_around.resize(map.vertices.size());
+    for (auto vertex = arrangement_.vertices_begin();
+         vertex != arrangement_.vertices_end(); ++vertex) {
+      const auto entry = index_of.find(&*vertex);
+      if (entry == index_of.end()) continue;
+      map.edges_around[Index(entry->second)] = EdgesAround(vertex, edge_index);
+    }
     return map;
+  }
+
+  /// The edges of the map among those that end at a vertex.
+  static std::vector<int> EdgesAround(Arrangement::Vertex_const_handle vertex,
+                                      const EdgeIndex& edge_index) {
+    std::vector<int> edges;
+    const auto first = vertex->incident_halfedges();
+    auto edge = first;
+    do {
+      const auto entry = edge_index.find(&*edge);
+      if (entry != edge_index.end()) edges.push_back(entry->second);
+    } while (++edge != first);
+    std::ranges::reverse(edges);  // CGAL turns to the right
+    return edges;
   }
 
   std::span<const ImageTriangle> triangles_;

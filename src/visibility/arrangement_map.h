@@ -31,6 +31,9 @@ struct MapEdge {
 struct ViewMap {
   std::vector<ImageDirection> vertices;
   std::vector<MapEdge> edges;
+  /// Per vertex the edges that end there, indices into `edges`, counter-
+  /// clockwise in the chart.
+  std::vector<std::vector<int>> edges_around;
 };
 
 /// The map of the front-most facets (the smallest z/w). Where several are at

@@ -260,7 +260,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "error: --method: fast not in {certified,double}"),
         BadUsage("EngineUnknown",
                  {"eval", "@square.obj", "@good.csv", "--engine", "v8"},
-                 "error: --engine: v8 not in {contour,arrangement}"),
+                 "error: --engine: v8 not in "
+                 "{contour,arrangement,angular-spans}"),
         BadUsage("EmissionUnknown",
                  {"eval", "@square.obj", "@good.csv", "--emission", "lumen"},
                  "error: --emission: lumen not in {exitance,radiance}"),

@@ -179,6 +179,18 @@ TEST_F(Eval, StatisticsDoNotDependOnThreads) {
   EXPECT_EQ(Counts(ReadFile(one)), Counts(ReadFile(four)));
 }
 
+TEST_F(Eval, EveryEnginePrintsTheSameAndIsNamedInTheReport) {
+  const std::string table = folder_.Write("in.csv", Table(5));
+  const std::string report = folder_ / "report.json";
+  const std::string expected = Run({table}).out;
+  for (const std::string engine : {"contour", "arrangement", "angular-spans"}) {
+    EXPECT_EQ(Run({table, "--engine", engine, "--stats", report}).out,
+              expected);
+    EXPECT_NE(ReadFile(report).find("\"engine\": \"" + engine + "\",\n"),
+              std::string::npos);
+  }
+}
+
 TEST_F(Eval, ExistingFileIsReplacedWithItsModeKept) {
   const std::string table = folder_.Write("in.csv", Table(1));
   const std::string out = folder_.Write("out.csv", "old");

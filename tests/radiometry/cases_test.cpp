@@ -50,7 +50,8 @@ INSTANTIATE_TEST_SUITE_P(
         ::testing::Values(Setup{"contour", {}},
                           Setup{"table", {.formula = Formula::kUnified}},
                           Setup{"arrangement",
-                                {.engine = Engine::kArrangement}})),
+                                {.engine = Engine::kArrangement}},
+                          Setup{"spans", {.engine = Engine::kAngularSpans}})),
     [](const auto& instance) {
       return std::get<0>(instance.param) + "_" +
              std::get<1>(instance.param).name;

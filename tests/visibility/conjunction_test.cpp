@@ -16,13 +16,15 @@ using namespace testing;  // NOLINT(google-build-using-namespace)
 const Ring kSource = Ceiling(-8, 8, -8, 8, 16);
 
 constexpr OracleOptions kTwin{.engine = Engine::kArrangement};
+constexpr OracleOptions kSpans{.engine = Engine::kAngularSpans};
 
-/// The certified value, from both engines.
-Rgb Both(const std::vector<TestFace>& faces) {
+/// The certified value, from all engines.
+Rgb All(const std::vector<TestFace>& faces) {
   const Scene scene = MakeScene(faces);
   const Receiver r{{0, 0, 0}, {0, 0, 1}, 0};
   const Rgb value = Evaluate(scene, r);
   EXPECT_EQ(Evaluate(scene, r, kTwin), value);
+  EXPECT_EQ(Evaluate(scene, r, kSpans), value);
   return value;
 }
 
@@ -52,8 +54,8 @@ TEST_P(EdgesThroughOnePoint, AnyOrderAndAnyDepthsGiveTheSameBits) {
     reversed.insert(reversed.begin() + 1,
                     EdgeThroughPoint(dx, dy, std::ldexp(0.75, -(i + 1) % 4)));
   }
-  const Rgb e = Both(faces);
-  EXPECT_EQ(Both(reversed), e);
+  const Rgb e = All(faces);
+  EXPECT_EQ(All(reversed), e);
   EXPECT_LT(e[0], FromBelow({{kSource, kLamp}})[0]);
 
   // One ulp off: another scene, almost the same value.
@@ -62,7 +64,7 @@ TEST_P(EdgesThroughOnePoint, AnyOrderAndAnyDepthsGiveTheSameBits) {
     for (Point3& p : face.ring)
       p.x = random.Nudge(p.x);
   }
-  EXPECT_NEAR(Both(faces)[0], e[0], 1e-12);
+  EXPECT_NEAR(All(faces)[0], e[0], 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(Edges, EdgesThroughOnePoint, ::testing::Range(3, 13));
@@ -73,42 +75,42 @@ TEST(Conjunction, VertexOnEdgeAndVerticesInLine) {
   const Ring on_edge = {{1, 1, 4}, {0.5, 0.25, 4}, {0.25, 0.5, 4}};
   // A vertex in line with the first's corner, inside as well.
   const Ring in_line = {{2, 0, 4}, {0.5, 0.25, 4}, {0.25, 0.5, 4}};
-  const Rgb e = Both({{kSource, kLamp}, {first}});
-  EXPECT_EQ(Both({{kSource, kLamp}, {first}, {on_edge}}), e);
-  EXPECT_EQ(Both({{kSource, kLamp}, {first}, {in_line}}), e);
-  EXPECT_EQ(Both({{in_line}, {on_edge}, {kSource, kLamp}, {first}}), e);
+  const Rgb e = All({{kSource, kLamp}, {first}});
+  EXPECT_EQ(All({{kSource, kLamp}, {first}, {on_edge}}), e);
+  EXPECT_EQ(All({{kSource, kLamp}, {first}, {in_line}}), e);
+  EXPECT_EQ(All({{in_line}, {on_edge}, {kSource, kLamp}, {first}}), e);
 }
 
 TEST(Conjunction, EdgesThroughAnIntrinsicVertexOfTheSource) {
   // The quadrant of the source beyond its own corner is nothing to hide.
   const Ring corner = {{2, 2, 4}, {4, 2, 4}, {4, 4, 4}, {2, 4, 4}};
-  const Rgb e = Both({{kSource, kLamp}});
-  EXPECT_EQ(Both({{kSource, kLamp}, {corner}}), e);
+  const Rgb e = All({{kSource, kLamp}});
+  EXPECT_EQ(All({{kSource, kLamp}, {corner}}), e);
   // Edges that pass through the corner of the source and cut a piece off.
   const Ring half = {{2, 2, 4}, {-2, -2, 4}, {2, -4, 4}};
   const Ring other = {{4, 4, 8}, {-4, -4, 8}, {-8, 8, 8}};
-  const Rgb upper = Both({{{{-8, -8, 16}, {-8, 8, 16}, {8, 8, 16}}, kLamp}});
-  EXPECT_EQ(Both({{kSource, kLamp}, {half}}), upper);
-  EXPECT_EQ(Both({{kSource, kLamp}, {half}, {other}}), kBlack);
+  const Rgb upper = All({{{{-8, -8, 16}, {-8, 8, 16}, {8, 8, 16}}, kLamp}});
+  EXPECT_EQ(All({{kSource, kLamp}, {half}}), upper);
+  EXPECT_EQ(All({{kSource, kLamp}, {half}, {other}}), kBlack);
 }
 
 TEST(Conjunction, CollinearEdgesThatOverlap) {
   const Ring left = {{-4, -4, 8}, {0, -4, 8}, {0, 4, 8}, {-4, 4, 8}};
   const Ring right = {{0, -1, 4}, {4, -2, 4}, {4, 2, 4}, {0, 1.5, 4}};
-  const Rgb first = Both({{kSource, kLamp}, {left}, {right}});
-  EXPECT_EQ(Both({{right}, {kSource, kLamp}, {left}}), first);
+  const Rgb first = All({{kSource, kLamp}, {left}, {right}});
+  EXPECT_EQ(All({{right}, {kSource, kLamp}, {left}}), first);
   // Together with a filler they hide everything.
   const Ring filler = {{0, -2, 4}, {2, -2, 4}, {2, 2, 4}, {0, 2, 4}};
-  EXPECT_EQ(Both({{kSource, kLamp}, {left}, {right}, {filler}}), kBlack);
+  EXPECT_EQ(All({{kSource, kLamp}, {left}, {right}, {filler}}), kBlack);
 }
 
 TEST(Conjunction, ScaledCopyHidesExactly) {
   const Ring odd = {{-3, -5, 16}, {1, 7, 16}, {5, 2, 16}, {0.5, -1, 16}};
   for (const double factor : {0.5, 0.25, 0.0625, 0x1p-20}) {
-    EXPECT_EQ(Both({{odd, kLamp}, {Scaled(odd, factor)}}), kBlack);
-    EXPECT_EQ(Both({{odd, kLamp}, {Reversed(Scaled(odd, factor))}}), kBlack);
+    EXPECT_EQ(All({{odd, kLamp}, {Scaled(odd, factor)}}), kBlack);
+    EXPECT_EQ(All({{odd, kLamp}, {Reversed(Scaled(odd, factor))}}), kBlack);
   }
-  EXPECT_EQ(Both({{odd, kLamp}, {Scaled(odd, 2)}}), Both({{odd, kLamp}}));
+  EXPECT_EQ(All({{odd, kLamp}, {Scaled(odd, 2)}}), All({{odd, kLamp}}));
 }
 
 TEST(Conjunction, TilingOfTheConeAtAnyDepthsHidesExactly) {
@@ -121,11 +123,11 @@ TEST(Conjunction, TilingOfTheConeAtAnyDepthsHidesExactly) {
       faces.push_back({Scaled(tile, std::ldexp(1, -1 - (n++ * 7) % 5))});
     }
   }
-  EXPECT_EQ(Both(faces), kBlack);
+  EXPECT_EQ(All(faces), kBlack);
   std::vector<TestFace> open = faces;
   open.erase(open.begin() + 6);
   const Ring tile6 = Ceiling(-4, 0, -4, 0, 16);
-  EXPECT_EQ(Both(open), Both({{tile6, kLamp}}));
+  EXPECT_EQ(All(open), All({{tile6, kLamp}}));
 }
 
 }  // namespace

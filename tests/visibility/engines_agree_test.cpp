@@ -1,5 +1,5 @@
-// Both engines, which share no line of visibility, must give the same bits on
-// random soups: lattices (everything coincides), the same with one-ulp noise
+// The engines contour and arrangement, which share no line of visibility, and
+// the sum over angular spans must give the same bits on random soups: lattices (everything coincides), the same with one-ulp noise
 // (everything almost coincides), and general position.
 //
 // TRUELUX_LONG_TEST=N makes N scenes of each kind instead of the usual few,
@@ -50,6 +50,7 @@ TEST_P(EnginesAgree, OnRandomSoups) {
     const Scene scene = MakeScene(faces);
     const Oracle contour(scene);
     const Oracle arrangement(scene, {.engine = Engine::kArrangement});
+    const Oracle spans(scene, {.engine = Engine::kAngularSpans});
     for (int i = 0; i < 4; ++i) {
       Receiver r = RandomReceiver(random, lattice, range);
       if (random.OneIn(4)) {
@@ -57,6 +58,8 @@ TEST_P(EnginesAgree, OnRandomSoups) {
       }
       const Rgb value = contour.Evaluate(r).value;
       ASSERT_EQ(value, arrangement.Evaluate(r).value)
+          << "seed " << seed << ", receiver " << i;
+      ASSERT_EQ(value, spans.Evaluate(r).value)
           << "seed " << seed << ", receiver " << i;
       ++(value[0] > 0 ? lit : dark);
     }

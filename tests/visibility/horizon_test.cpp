@@ -12,13 +12,15 @@ namespace {
 using namespace testing;  // NOLINT(google-build-using-namespace)
 
 constexpr OracleOptions kTwin{.engine = Engine::kArrangement};
+constexpr OracleOptions kSpans{.engine = Engine::kAngularSpans};
 constexpr OracleOptions kTable{.formula = Formula::kUnified};
 
-/// The certified value from both engines and both formulas.
+/// The certified value from all engines and both formulas.
 Rgb All(const std::vector<TestFace>& faces, const Receiver& r) {
   const Scene scene = MakeScene(faces);
   const Rgb value = Evaluate(scene, r);
   EXPECT_EQ(Evaluate(scene, r, kTwin), value);
+  EXPECT_EQ(Evaluate(scene, r, kSpans), value);
   EXPECT_EQ(Evaluate(scene, r, kTable), value);
   return value;
 }

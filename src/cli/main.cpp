@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "cli/cmd_eval.h"
+#include "cli/cmd_stability.h"
 #include "cli/exit_status.h"
 #include "cli/interrupt.h"
 #include "cli/messages.h"
@@ -63,8 +64,11 @@ ExitStatus Run(int argc, char** argv) {
              kExitStatusHelp);
   EvalArguments eval;
   AddEvalCommand(app, eval);
+  StabilityArguments stability;
+  AddStabilityCommand(app, stability);
   try {
     app.parse(argc, argv);
+    if (app.got_subcommand("stability")) return RunStability(stability);
     return RunEval(eval);
   } catch (const CLI::CallForHelp&) {
     WriteStandardOutput(app.help());

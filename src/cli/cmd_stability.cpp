@@ -1,0 +1,145 @@
+#include "cli/cmd_stability.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdint>
+#include <fmt/format.h>
+#include <string_view>
+#include <unistd.h>
+#include <vector>
+
+#include "baselines/regimes.h"
+#include "baselines/stability_study.h"
+#include "cli/file_id.h"
+#include "cli/interrupt.h"
+#include "cli/messages.h"
+#include "cli/output_file.h"
+#include "cli/progress.h"
+#include "cli/stability_tables.h"
+
+namespace truelux {
+namespace {
+
+constexpr const char* kDescription =
+    "Digits that each formula keeps, regime by regime";
+
+constexpr const char* kHelp =
+    "Evaluates every closed formula on families of random cases, each with "
+    "one\n"
+    "difficulty at a known size, in float, double, double with a proven "
+    "bound,\n"
+    "double-double and MPFR with 128 bits, and compares with Lambert's sum in\n"
+    "400 bits. The tables are written to standard output as Markdown.\n"
+    "docs/stability.md explains them. MPFR, and the cubature in "
+    "double-double,\n"
+    "take the first tenth of the cases only. Every proven bound is checked;\n"
+    "one that does not hold makes the exit status 1.\n";
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  truelux stability > stability.md\n"
+    "  truelux stability --cases 20 --only sliver\n"
+    "  truelux stability --only 'conjunction missed' --csv near.csv\n"
+    "  truelux stability --cases 1500 | grep '^Bounds checked'\n";
+
+constexpr int kMaxCases = 1000000;
+
+/// A whole number in [least, most].
+std::uint64_t ParseCount(const char* option, const std::string& text,
+                         std::uint64_t least, std::uint64_t most) {
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end || value < least || value > most) {
+    throw UsageError(fmt::format("{}: '{}' is not a whole number from {} to {}",
+                                 option, text, least, most));
+  }
+  return value;
+}
+
+std::vector<Regime> RegimesNamed(const std::string& only) {
+  std::vector<Regime> regimes = Regimes();
+  std::erase_if(regimes, [&only](const Regime& regime) {
+    return regime.name.find(only) == std::string::npos;
+  });
+  if (regimes.empty()) {
+    throw UsageError(
+        fmt::format("--only: no regime has '{}' in its name; they "
+                    "are the rows of docs/stability.md",
+                    only));
+  }
+  return regimes;
+}
+
+std::optional<OutputFile> OpenCsv(const std::optional<std::string>& path) {
+  if (!path) return std::nullopt;
+  if (path->empty()) throw UsageError("--csv: the file name is empty");
+  const std::optional<FileId> file = FileIdOf(*path);
+  const std::optional<FileId> standard_output = FileIdOf(STDOUT_FILENO);
+  if (*path == "-" || (file && standard_output && *file == *standard_output)) {
+    throw UsageError("--csv: the tables are written to standard output");
+  }
+  return std::optional<OutputFile>(std::in_place, *path);
+}
+
+}  // namespace
+
+void AddStabilityCommand(CLI::App& app, StabilityArguments& arguments) {
+  const StabilityOptions defaults;
+  arguments.cases = std::to_string(defaults.cases);
+  arguments.seed = std::to_string(defaults.seed);
+  CLI::App& command = *app.add_subcommand("stability", kDescription);
+  command.add_option("--cases", arguments.cases, "random cases of each regime")
+      ->capture_default_str()
+      ->type_name("N");
+  command
+      .add_option("--seed", arguments.seed,
+                  "other cases; the same seed gives the same errors")
+      ->capture_default_str()
+      ->type_name("N");
+  command
+      .add_option("--only", arguments.only,
+                  "only regimes that have TEXT in their names")
+      ->type_name("TEXT");
+  command.add_option("--csv", arguments.csv, "all numbers as a table")
+      ->type_name("FILE");
+  command.footer(std::string(kHelp) + "\n" + kExamples + "\n" +
+                 kExitStatusHelp);
+}
+
+ExitStatus RunStability(const StabilityArguments& arguments) {
+  StabilityOptions options;
+  options.cases =
+      static_cast<int>(ParseCount("--cases", arguments.cases, 1, kMaxCases));
+  options.seed = ParseCount("--seed", arguments.seed, 0, UINT64_MAX);
+  options.slow_cases = std::max(1, options.cases / 10);
+  const std::vector<Regime> regimes = RegimesNamed(arguments.only);
+  std::optional<OutputFile> csv = OpenCsv(arguments.csv);
+  OutputFile output("");
+
+  std::vector<RegimeStability> results;
+  {
+    Progress progress(
+        regimes.size() * static_cast<std::uint64_t>(options.cases), "cases");
+    for (const Regime& regime : regimes) {
+      results.push_back(MeasureStability(regime, options, [&progress] {
+        StopIfInterrupted();
+        progress.Advance();
+      }));
+    }
+  }
+  if (csv) {
+    csv->Write(StabilityCsv(results));
+    csv->Finish();
+  }
+  output.Write(StabilityMarkdown(options, results));
+  output.Finish();
+  StopIfInterrupted();
+  if (csv) csv->Commit();
+  for (const RegimeStability& result : results) {
+    if (!result.violations.empty()) return ExitStatus::kComparisonFailed;
+  }
+  return ExitStatus::kDone;
+}
+
+}  // namespace truelux

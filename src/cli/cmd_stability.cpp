@@ -24,16 +24,13 @@ constexpr const char* kDescription =
     "Digits that each formula keeps, regime by regime";
 
 constexpr const char* kHelp =
-    "Evaluates every closed formula on families of random cases, each with "
-    "one\n"
-    "difficulty at a known size, in float, double, double with a proven "
-    "bound,\n"
-    "double-double and MPFR with 128 bits, and compares with Lambert's sum in\n"
-    "400 bits. The tables are written to standard output as Markdown.\n"
-    "docs/stability.md explains them. MPFR, and the cubature in "
-    "double-double,\n"
-    "take the first tenth of the cases only. Every proven bound is checked;\n"
-    "one that does not hold makes the exit status 1.\n";
+    "Evaluates every closed formula on families of random cases, each with\n"
+    "one difficulty at a known size, in float, double, double with a proven\n"
+    "bound, double-double and MPFR with 128 bits, and compares with Lambert's\n"
+    "sum in 400 bits. The tables are written to standard output as Markdown;\n"
+    "docs/stability.md explains them. MPFR takes the first tenth of the cases\n"
+    "only. Every proven bound is checked: one that does not hold makes the\n"
+    "exit status 1.\n";
 
 constexpr const char* kExamples =
     "Examples:\n"

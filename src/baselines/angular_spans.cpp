@@ -40,6 +40,10 @@ ImageDirection MakeImageDirection(double a, double b) {
   return {a, b, theta > -std::numbers::pi ? theta : std::numbers::pi};
 }
 
+bool IsMoreThanHalfTurn(const ImageSector& sector) {
+  return AngleBetween(sector.from, sector.to) > 0.75 * kTurn;
+}
+
 void AngularSpans::Clear() {
   spans_.clear();
   around_ = {};

@@ -28,6 +28,9 @@ struct ImageSector {
   ImageDirection to;
 };
 
+/// By clearly more than rounding.
+[[nodiscard]] bool IsMoreThanHalfTurn(const ImageSector& sector);
+
 /// What a polygon puts into a sector. The slope is the gradient of 1 / depth
 /// over the image plane: of two polygons at one depth, which share an edge or
 /// a vertex, it tells which one is in front.

@@ -35,10 +35,11 @@ bool IsBetween(double a, double x, double b) {
 
 }  // namespace
 
-VertexTracer::VertexTracer(const TracingView& view, double cone_angle)
+VertexTracer::VertexTracer(const TracingView& view,
+                           const TracerOptions& options)
     : view_(view),
-      sine_(std::sin(cone_angle)),
-      cone_angle_(cone_angle),
+      options_(options),
+      sine_(std::sin(options.cone_angle)),
       visited_vertices_(view.vertices.size()) {}
 
 bool VertexTracer::MeetsVertex(int vertex) const {
@@ -72,7 +73,7 @@ std::optional<double> VertexTracer::MeetsEdge(int edge) const {
       return {};
     return t;
   }
-  if (!(of_a >= 0) || !(of_b >= 0)) return {};
+  if (!(of_a >= 0) || !(of_b >= 0) || WasTracedElsewhere(edge)) return {};
   const double axis = 1 + traced_.x * traced_.x + traced_.y * traced_.y;
   if (side * side > sine_ * sine_ * axis * Dot(normal, normal)) return {};
   return t;
@@ -93,8 +94,11 @@ void VertexTracer::AddChain(const ImagePolygon& polygon, std::size_t before) {
   for (; is_met_[k]; k = (k + 1) % count)
     last = polygon.vertices[k];
   if (sectors_.empty()) depth_ = view_.vertices[Index(first)].depth;
-  sectors_.push_back(
-      {Towards(first, start), Towards(last, polygon.vertices[k])});
+  ImageSector sector{Towards(first, start), Towards(last, polygon.vertices[k])};
+  // The polygon is convex: more than half a turn is less than nothing, the
+  // rounding of a polygon that is seen edge-on.
+  if (IsMoreThanHalfTurn(sector)) sector.to = sector.from;
+  sectors_.push_back(sector);
 }
 
 void VertexTracer::AddEdge(const ImagePolygon& polygon, std::size_t at) {
@@ -124,7 +128,7 @@ bool VertexTracer::Holds(const ImagePolygon& polygon) const {
 }
 
 bool VertexTracer::Meet(const ImagePolygon& polygon) {
-  const double reach = ConeReach(traced_.x, traced_.y, cone_angle_);
+  const double reach = ConeReach(traced_.x, traced_.y, options_.cone_angle);
   if (!polygon.extent.Holds(traced_.x, traced_.y, reach)) return false;
   const std::size_t count = polygon.vertices.size();
   is_met_.assign(count, false);
@@ -161,6 +165,12 @@ bool VertexTracer::Meet(const ImagePolygon& polygon) {
 bool VertexTracer::WasVisited(const TracedVertex& vertex) const {
   if (vertex.vertex >= 0) return visited_vertices_[Index(vertex.vertex)];
   return visited_pairs_.contains(PairKey(vertex.edges[0], vertex.edges[1]));
+}
+
+bool VertexTracer::WasTracedElsewhere(int edge) const {
+  return std::ranges::any_of(traced_.edges, [&](int own) {
+    return own >= 0 && simple_pairs_.contains(PairKey(own, edge));
+  });
 }
 
 bool VertexTracer::IsConjunctive() const {
@@ -211,6 +221,8 @@ Rgb VertexTracer::Trace(const TracedVertex& vertex) {
   if (IsConjunctive()) {
     found_conjunction_ = true;
     MarkVisited();
+  } else if (options_.is_strict && vertex.vertex < 0) {
+    simple_pairs_.insert(PairKey(vertex.edges[0], vertex.edges[1]));
   }
   return spans_.Contribution(vertex.x, vertex.y);
 }

@@ -26,7 +26,13 @@ struct TracedVertex {
   std::array<int, 2> edges{-1, -1};
 };
 
-/// Traces and remembers: no vertex of the view and no pair of its edges is
+/// How to trace.
+struct TracerOptions {
+  double cone_angle = 0;   ///< [rad] between a cone and its axis; 0: rays
+  bool is_strict = false;  ///< VertexTracingOptions::strict_bookkeeping
+};
+
+/// Traces and remembers: no vertex of the view, no pair of its edges is
 /// taken twice.
 ///
 /// What a ray meets besides the traced vertex or edges themselves is what the
@@ -39,9 +45,8 @@ struct TracedVertex {
 /// polygon all of whose vertices are met is gone.
 class VertexTracer {
  public:
-  /// cone_angle [rad]: between a cone and its axis; 0 for rays. The view must
-  /// live longer.
-  VertexTracer(const TracingView& view, double cone_angle);
+  /// The view must live longer.
+  VertexTracer(const TracingView& view, const TracerOptions& options);
 
   /// pi times the vertex' share of E [W/m^2]; 0 if it was snapped to another.
   [[nodiscard]] Rgb Trace(const TracedVertex& vertex);
@@ -58,12 +63,14 @@ class VertexTracer {
   [[nodiscard]] ImageDirection Towards(int from, int to) const;
 
   [[nodiscard]] bool WasVisited(const TracedVertex& vertex) const;
+  /// Whether the edge has been traced by itself with one that is traced now.
+  [[nodiscard]] bool WasTracedElsewhere(int edge) const;
   [[nodiscard]] bool IsConjunctive() const;
   void MarkVisited();
 
   const TracingView& view_;
+  TracerOptions options_;
   double sine_;  ///< of the cone's angle
-  double cone_angle_;
   TracedVertex traced_;
   AngularSpans spans_;
   // Of the polygon that is being met:
@@ -77,6 +84,7 @@ class VertexTracer {
   bool found_conjunction_ = false;
   std::vector<bool> visited_vertices_;
   std::unordered_set<std::uint64_t> visited_pairs_;
+  std::unordered_set<std::uint64_t> simple_pairs_;  ///< traced alone; strict
 };
 
 }  // namespace truelux

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "baselines/tracing_view.h"
-#include "baselines/vertex_tracer.h"
 #include "visibility/contour.h"
 
 namespace truelux {
@@ -24,8 +23,8 @@ std::size_t Index(int i) {
 /// The sum over the vertices of one view.
 class VertexSum {
  public:
-  VertexSum(const TracingView& view, double cone_angle)
-      : view_(view), cone_angle_(cone_angle), tracer_(view, cone_angle) {}
+  VertexSum(const TracingView& view, const TracerOptions& options)
+      : view_(view), cone_angle_(options.cone_angle), tracer_(view, options) {}
 
   /// Before AddApparentVertices: an edge is snapped to the cone of a vertex
   /// near it, but not always the vertex to the cones on the edge.
@@ -126,27 +125,25 @@ void VertexSum::AddCrossing(int first, int second) {
   Add({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), -1, {first, second}});
 }
 
-double ConeAngle(const VertexTracingOptions& options) {
-  if (options.tracing == Tracing::kRays) return 0;
+TracerOptions Checked(const VertexTracingOptions& options) {
+  if (options.tracing == Tracing::kRays) return {};
   const double angle = options.nape_angle;
   if (!(angle > 0 && angle <= kLargestNapeAngle))
     throw std::invalid_argument("the nape angle is in (0, 0.1] rad");
-  return angle;
+  return {angle, options.strict_bookkeeping};
 }
 
 }  // namespace
 
 VertexTracing::VertexTracing(Scene scene, const VertexTracingOptions& options)
-    : scene_(std::move(scene)),
-      pieces_(scene_),
-      cone_angle_(ConeAngle(options)) {}
+    : scene_(std::move(scene)), pieces_(scene_), options_(Checked(options)) {}
 
 Rgb VertexTracing::Evaluate(const Receiver& receiver) const {
-  const TracingView view =
-      MakeTracingView(scene_, pieces_, receiver,
-                      IgnoredFacets({scene_, receiver, 0}), cone_angle_);
+  const TracingView view = MakeTracingView(scene_, pieces_, receiver,
+                                           IgnoredFacets({scene_, receiver, 0}),
+                                           options_.cone_angle);
   if (view.source_count == 0) return {};
-  VertexSum vertices(view, cone_angle_);
+  VertexSum vertices(view, options_);
   vertices.AddIntrinsicVertices();
   vertices.AddApparentVertices();
   Rgb e = vertices.sum();

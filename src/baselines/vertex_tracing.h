@@ -8,6 +8,7 @@
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 
+#include "baselines/vertex_tracer.h"
 #include "scene/convex_pieces.h"
 
 namespace truelux {
@@ -21,6 +22,11 @@ struct VertexTracingOptions {
   /// Of kCones: the angle between a cone and its axis [rad], in (0, 0.1].
   /// The paper found 1e-7 to 1e-6 to work well.
   double nape_angle = 1e-6;
+  /// Of kCones, and not in the paper: the crossing of two edges that was
+  /// traced without anything else in its cone is not taken once more in the
+  /// cone of another crossing near it, to which the paper's tables, which are
+  /// looked at before a vertex is traced only, leave it open.
+  bool strict_bookkeeping = false;
 };
 
 /// The sum over all apparent vertices of what is seen, each found by itself:
@@ -38,11 +44,11 @@ struct VertexTracingOptions {
 /// What it cannot do:
 /// - Rays: several edges or vertices that coincide in the image (conjunctive
 ///   vertices) are found only if rounding happens to leave them exactly
-///   together; else an error of any size up to the whole of E may follow.
-/// - Cones: what is nearer to a vertex than the nape angle but does not
-///   coincide is moved there, with an error of that order or, where a snap is
-///   seen from one side only, of any size; what coincides but is rounded to
-///   farther away than the nape angle is not found.
+///   together. Else a term can be lost or counted twice; one is O(side) and
+///   the sum O(side^2) of the source's side in the image.
+/// - Cones: what is nearer to a vertex than the nape angle is moved there, an
+///   error of that order, or that of a lost or repeated term where a snap is
+///   seen from one side only.
 /// - No error bound, no warning.
 /// - Polygons that pass through each other: their line of intersection is no
 ///   edge. Coplanar polygons that overlap, or that touch without common
@@ -60,7 +66,7 @@ class VertexTracing {
  private:
   Scene scene_;
   ConvexPieces pieces_;
-  double cone_angle_;  ///< [rad]; 0 for rays
+  TracerOptions options_;
 };
 
 }  // namespace truelux

@@ -209,6 +209,18 @@ TEST(VertexTracing, BoxesWithSharedEdgesInFrontOfALamp) {
   }
 }
 
+TEST(VertexTracing, ShuttersHingedAtTheLamp) {
+  // One depth along the hinge, and only the slope tells what is in front.
+  const TestFace lamp = Lamp();
+  const TestFace shutter{
+      {{0.5, -0.5, 1}, {0.5, 0.5, 1}, {0.2, 0.4, 0.7}, {0.2, -0.4, 0.7}}};
+  ExpectBothRight({lamp, shutter}, kUp);
+  ExpectBothRight({shutter, lamp}, kUp);
+  const TestFace bright{testing::Reversed(shutter.ring), {3, 1, 7}};
+  ExpectBothRight({lamp, bright}, kUp);
+  ExpectBothRight({bright, lamp}, kUp);
+}
+
 TEST(VertexTracing, NonConvexSourceAndManyCorners) {
   const TestFace arrow{{{-1, -1, 1},
                         {-0.9, 1.2, 1},
@@ -235,13 +247,14 @@ TEST(VertexTracing, OnFaceIsIgnored) {
 }
 
 /// Triangles one above the other, an edge of each through (0.3, 0.2, 1) seen
-/// from the origin.
-std::vector<TestFace> ThreeEdgesThroughAPoint(PortableRandom& random) {
+/// from the origin; but the last one misses it by `miss`.
+std::vector<TestFace> ThreeEdges(PortableRandom& random, double miss) {
   std::vector<TestFace> faces = {Lamp()};
   for (int i = 0; i < 3; ++i) {
     const double depth = 0.3 + 0.2 * i;
     const double turn = random.Uniform(0, 6.28);
     const auto at = [&](double along, double aside) {
+      if (i == 2) aside += miss;
       return Point3{
           depth * (0.3 + along * std::cos(turn) - aside * std::sin(turn)),
           depth * (0.2 + along * std::sin(turn) + aside * std::cos(turn)),
@@ -256,12 +269,43 @@ TEST(VertexTracing, ThreeEdgesThroughOnePointByCones) {
   PortableRandom random(3);
   int wrong_by_rays = 0;
   for (int i = 0; i < 60; ++i) {
-    const Scene scene = MakeScene(ThreeEdgesThroughAPoint(random));
+    const Scene scene = MakeScene(ThreeEdges(random, 0));
     EXPECT_LT(RelativeError(scene, kUp, {Tracing::kCones, 1e-9}), 1e-7)
         << "scene " << i;
     if (RelativeError(scene, kUp, kRays) > 1e-6) ++wrong_by_rays;
   }
   EXPECT_GT(wrong_by_rays, 5);
+}
+
+TEST(VertexTracing, ACrossingCountedTwiceAsPublishedIsNotByStrictBookkeeping) {
+  PortableRandom random(4);
+  int wrong_as_published = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Scene scene = MakeScene(ThreeEdges(random, 1e-6));
+    EXPECT_LT(RelativeError(scene, kUp, kRays), 1e-12) << "scene " << i;
+    EXPECT_LT(RelativeError(scene, kUp, {Tracing::kCones, 1e-6, true}), 1e-4)
+        << "scene " << i;
+    if (RelativeError(scene, kUp, {Tracing::kCones, 1e-6}) > 1e-3)
+      ++wrong_as_published;
+  }
+  EXPECT_GT(wrong_as_published, 5);
+}
+
+TEST(VertexTracing, BlockerSeenEdgeOnUpToRounding) {
+  PortableRandom random(5);
+  const TestFace lamp{Ceiling(0, 32, 0, 32, 17), kLamp};
+  const Receiver r{{18, 18, 1}, {0, 0, 1}, 0};
+  // Its first corner is in line with two of the blade's.
+  const TestFace near{{{16, 18, 5}, {15.3, 19, 5}, {16.4, 19.1, 5}}};
+  const double truth = testing::Evaluate(MakeScene({lamp, near}), r)[0];
+  for (int i = 0; i < 400; ++i) {
+    // In a plane with the receiver.
+    TestFace blade{{{12, 18, 13}, {14, 18, 9}, {14, 16, 9}}};
+    for (Point3& p : blade.ring)
+      p = {random.Nudge(p.x), random.Nudge(p.y), random.Nudge(p.z)};
+    const VertexTracing tracing(MakeScene({lamp, near, blade}), kCones);
+    EXPECT_NEAR(tracing.Evaluate(r)[0] / truth, 1, 1e-12) << "scene " << i;
+  }
 }
 
 TEST(VertexTracing, TwoVerticesAndAnEdgeExactlyInLine) {

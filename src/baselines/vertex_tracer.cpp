@@ -186,8 +186,7 @@ bool VertexTracer::IsConjunctive() const {
 void VertexTracer::MarkVisited() {
   const auto keep_once = [](std::vector<int>& items) {
     std::ranges::sort(items);
-    const auto rest = std::ranges::unique(items);
-    items.erase(rest.begin(), rest.end());
+    items.erase(std::unique(items.begin(), items.end()), items.end());
   };
   keep_once(met_vertices_);
   for (const int vertex : met_vertices_) {

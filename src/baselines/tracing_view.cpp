@@ -73,7 +73,7 @@ struct ClipPoint {
     return kTracingHalfSide * p.z - s * (along_x ? p.x : p.y);
   }
 
-  [[nodiscard]] ImageVertex Image() const {
+  [[nodiscard]] TracingVertex Image() const {
     const double x = x_side != 0 ? x_side * kTracingHalfSide : p.x / p.z;
     const double y = y_side != 0 ? y_side * kTracingHalfSide : p.y / p.z;
     return {x, y, p.z, {}};
@@ -212,7 +212,7 @@ void ViewBuilder::LookAt(const Piece& piece) {
   seen.ring = points_.Clipped(std::move(order));
   if (seen.ring.empty()) return;
   for (const int i : seen.ring) {
-    const ImageVertex image = points_[i].Image();
+    const TracingVertex image = points_[i].Image();
     seen.extent.Add(image.x, image.y);
   }
   const Facet& facet = scene_.facets()[Index(piece.facet)];
@@ -333,8 +333,8 @@ bool ImageExtent::Meets(const ImageExtent& other, double margin) const {
 }
 
 double TracingView::Side(const ImageEdge& edge, double x, double y) const {
-  const ImageVertex& a = vertices[Index(edge.a)];
-  const ImageVertex& b = vertices[Index(edge.b)];
+  const TracingVertex& a = vertices[Index(edge.a)];
+  const TracingVertex& b = vertices[Index(edge.b)];
   return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
 }
 

@@ -33,7 +33,7 @@ struct ImageExtent {
   [[nodiscard]] bool Meets(const ImageExtent& other, double margin) const;
 };
 
-struct ImageVertex {
+struct TracingVertex {
   double x = 0;
   double y = 0;
   double depth = 0;  ///< height above the receiver plane [scene length unit]
@@ -59,7 +59,7 @@ struct ImagePolygon {
 };
 
 struct TracingView {
-  std::vector<ImageVertex> vertices;
+  std::vector<TracingVertex> vertices;
   std::vector<ImageEdge> edges;
   std::vector<ImagePolygon> polygons;  ///< those that emit come first
   int source_count = 0;

@@ -44,7 +44,7 @@ VertexTracer::VertexTracer(const TracingView& view,
 
 bool VertexTracer::MeetsVertex(int vertex) const {
   if (vertex == traced_.vertex) return true;
-  const ImageVertex& v = view_.vertices[Index(vertex)];
+  const TracingVertex& v = view_.vertices[Index(vertex)];
   if (v.x == traced_.x && v.y == traced_.y) return true;
   if (sine_ == 0) return false;
   const Vec cross = CrossOfImages(traced_.x, traced_.y, v.x, v.y);
@@ -56,8 +56,8 @@ bool VertexTracer::MeetsVertex(int vertex) const {
 
 std::optional<double> VertexTracer::MeetsEdge(int edge) const {
   const ImageEdge& e = view_.edges[Index(edge)];
-  const ImageVertex& a = view_.vertices[Index(e.a)];
-  const ImageVertex& b = view_.vertices[Index(e.b)];
+  const TracingVertex& a = view_.vertices[Index(e.a)];
+  const TracingVertex& b = view_.vertices[Index(e.b)];
   const Vec normal = CrossOfImages(a.x, a.y, b.x, b.y);
   // The foot of the axis on the edge's plane is a combination of the ends.
   const double of_a =
@@ -79,9 +79,9 @@ std::optional<double> VertexTracer::MeetsEdge(int edge) const {
   return t;
 }
 
-ImageDirection VertexTracer::Towards(int from, int to) const {
-  const ImageVertex& a = view_.vertices[Index(from)];
-  const ImageVertex& b = view_.vertices[Index(to)];
+SpanDirection VertexTracer::Towards(int from, int to) const {
+  const TracingVertex& a = view_.vertices[Index(from)];
+  const TracingVertex& b = view_.vertices[Index(to)];
   return MakeImageDirection(b.x - a.x, b.y - a.y);
 }
 

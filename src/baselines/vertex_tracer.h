@@ -12,7 +12,7 @@
 
 #include "truelux/geometry.h"
 
-#include "baselines/angular_spans.h"
+#include "baselines/span_list.h"
 #include "baselines/tracing_view.h"
 
 namespace truelux {
@@ -60,7 +60,7 @@ class VertexTracer {
   [[nodiscard]] bool MeetsVertex(int vertex) const;
   /// Where an edge is met that has no end there: 0 at its a, 1 at its b.
   [[nodiscard]] std::optional<double> MeetsEdge(int edge) const;
-  [[nodiscard]] ImageDirection Towards(int from, int to) const;
+  [[nodiscard]] SpanDirection Towards(int from, int to) const;
 
   [[nodiscard]] bool WasVisited(const TracedVertex& vertex) const;
   /// Whether the edge has been traced by itself with one that is traced now.
@@ -72,7 +72,7 @@ class VertexTracer {
   TracerOptions options_;
   double sine_;  ///< of the cone's angle
   TracedVertex traced_;
-  AngularSpans spans_;
+  SpanList spans_;
   // Of the polygon that is being met:
   std::vector<bool> is_met_;  ///< per vertex
   std::vector<ImageSector> sectors_;

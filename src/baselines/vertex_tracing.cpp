@@ -71,7 +71,7 @@ void VertexSum::Add(const TracedVertex& vertex) {
 
 void VertexSum::AddIntrinsicVertices() {
   for (std::size_t i = 0; i < view_.vertices.size(); ++i) {
-    const ImageVertex& v = view_.vertices[i];
+    const TracingVertex& v = view_.vertices[i];
     const auto is_contour = [this](int edge) {
       return view_.edges[Index(edge)].is_contour;
     };
@@ -85,8 +85,8 @@ std::vector<VertexSum::Span> VertexSum::Silhouettes() const {
   for (std::size_t i = 0; i < view_.edges.size(); ++i) {
     const ImageEdge& edge = view_.edges[i];
     if (!edge.is_contour) continue;
-    const ImageVertex& a = view_.vertices[Index(edge.a)];
-    const ImageVertex& b = view_.vertices[Index(edge.b)];
+    const TracingVertex& a = view_.vertices[Index(edge.a)];
+    const TracingVertex& b = view_.vertices[Index(edge.b)];
     spans.push_back({std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y),
                      std::max(a.y, b.y), static_cast<int>(i)});
   }
@@ -111,10 +111,10 @@ void VertexSum::AddCrossing(int first, int second) {
   const ImageEdge& e = view_.edges[Index(first)];
   const ImageEdge& f = view_.edges[Index(second)];
   if (e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b) return;
-  const ImageVertex& a = view_.vertices[Index(e.a)];
-  const ImageVertex& b = view_.vertices[Index(e.b)];
-  const ImageVertex& c = view_.vertices[Index(f.a)];
-  const ImageVertex& d = view_.vertices[Index(f.b)];
+  const TracingVertex& a = view_.vertices[Index(e.a)];
+  const TracingVertex& b = view_.vertices[Index(e.b)];
+  const TracingVertex& c = view_.vertices[Index(f.a)];
+  const TracingVertex& d = view_.vertices[Index(f.b)];
   const double at_a = view_.Side(f, a.x, a.y);
   const double at_b = view_.Side(f, b.x, b.y);
   const double at_c = view_.Side(e, c.x, c.y);

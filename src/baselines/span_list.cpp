@@ -1,4 +1,4 @@
-#include "baselines/angular_spans.h"
+#include "baselines/span_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 
 /// How far it is counter-clockwise [rad], in [0, 2 pi).
-double AngleBetween(const ImageDirection& from, const ImageDirection& to) {
+double AngleBetween(const SpanDirection& from, const SpanDirection& to) {
   const double angle = to.theta - from.theta;
   return angle < 0 ? angle + kTurn : angle;
 }
@@ -25,7 +25,7 @@ bool IsNearer(const SpanContent& a, const SpanContent& b, double theta) {
 }
 
 /// Half of C k atan(C (a x + b y)).
-double VertexTerm(double x, double y, const ImageDirection& direction) {
+double VertexTerm(double x, double y, const SpanDirection& direction) {
   const double a = direction.a;
   const double b = direction.b;
   const double k = a * y - b * x;
@@ -35,7 +35,7 @@ double VertexTerm(double x, double y, const ImageDirection& direction) {
 
 }  // namespace
 
-ImageDirection MakeImageDirection(double a, double b) {
+SpanDirection MakeImageDirection(double a, double b) {
   const double theta = std::atan2(b, a);
   return {a, b, theta > -std::numbers::pi ? theta : std::numbers::pi};
 }
@@ -44,12 +44,12 @@ bool IsMoreThanHalfTurn(const ImageSector& sector) {
   return AngleBetween(sector.from, sector.to) > 0.75 * kTurn;
 }
 
-void AngularSpans::Clear() {
+void SpanList::Clear() {
   spans_.clear();
   around_ = {};
 }
 
-std::size_t AngularSpans::SplitAt(const ImageDirection& direction) {
+std::size_t SpanList::SplitAt(const SpanDirection& direction) {
   const auto at = std::ranges::lower_bound(
       spans_, direction.theta, {}, [](const Span& s) { return s.begin.theta; });
   const auto index =
@@ -63,7 +63,7 @@ std::size_t AngularSpans::SplitAt(const ImageDirection& direction) {
   return index;
 }
 
-void AngularSpans::Cover(std::size_t span, const SpanContent& content) {
+void SpanList::Cover(std::size_t span, const SpanContent& content) {
   const Span& next = spans_[(span + 1) % spans_.size()];
   double width = AngleBetween(spans_[span].begin, next.begin);
   if (spans_.size() == 1) width = kTurn;
@@ -72,8 +72,7 @@ void AngularSpans::Cover(std::size_t span, const SpanContent& content) {
     spans_[span].content = content;
 }
 
-void AngularSpans::Insert(const ImageSector& sector,
-                          const SpanContent& content) {
+void SpanList::Insert(const ImageSector& sector, const SpanContent& content) {
   if (sector.from.theta == sector.to.theta) return;
   SplitAt(sector.from);
   const std::size_t end = SplitAt(sector.to);
@@ -83,21 +82,21 @@ void AngularSpans::Insert(const ImageSector& sector,
     Cover(i, content);
 }
 
-void AngularSpans::InsertFull(const SpanContent& content) {
+void SpanList::InsertFull(const SpanContent& content) {
   for (std::size_t i = 0; i < spans_.size(); ++i)
     Cover(i, content);
   if (spans_.empty() && IsNearer(content, around_, 0)) around_ = content;
 }
 
-void AngularSpans::InsertCommonPart(const std::vector<ImageSector>& sectors,
-                                    const SpanContent& content) {
+void SpanList::InsertCommonPart(const std::vector<ImageSector>& sectors,
+                                const SpanContent& content) {
   if (sectors.size() == 1) return Insert(sectors.front(), content);
   ends_.clear();
   for (const ImageSector& sector : sectors) {
     ends_.push_back(sector.from);
     ends_.push_back(sector.to);
   }
-  std::ranges::sort(ends_, {}, &ImageDirection::theta);
+  std::ranges::sort(ends_, {}, &SpanDirection::theta);
   for (std::size_t i = 0; i < ends_.size(); ++i) {
     const ImageSector part{ends_[i], ends_[(i + 1) % ends_.size()]};
     const auto holds_part = [&part](const ImageSector& sector) {
@@ -108,7 +107,7 @@ void AngularSpans::InsertCommonPart(const std::vector<ImageSector>& sectors,
   }
 }
 
-Rgb AngularSpans::Contribution(double x, double y) const {
+Rgb SpanList::Contribution(double x, double y) const {
   Rgb sum{};
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     const Rgb& here = spans_[i].content.exitance;

@@ -1,8 +1,8 @@
 // What surrounds one vertex of the image: circular sectors with depth and
 // emission (Stark and Riesenfeld 2000, section 3.2).
 
-#ifndef TRUELUX_BASELINES_ANGULAR_SPANS_H_
-#define TRUELUX_BASELINES_ANGULAR_SPANS_H_
+#ifndef TRUELUX_BASELINES_SPAN_LIST_H_
+#define TRUELUX_BASELINES_SPAN_LIST_H_
 
 #include <cstddef>
 #include <limits>
@@ -14,18 +14,18 @@ namespace truelux {
 
 /// A direction in the image plane: (a, b) of any length and its angle
 /// theta [rad] in (-pi, pi].
-struct ImageDirection {
+struct SpanDirection {
   double a = 0;
   double b = 0;
   double theta = 0;
 };
 
-[[nodiscard]] ImageDirection MakeImageDirection(double a, double b);
+[[nodiscard]] SpanDirection MakeImageDirection(double a, double b);
 
 /// The directions from `from` counter-clockwise to `to`; none if equal.
 struct ImageSector {
-  ImageDirection from;
-  ImageDirection to;
+  SpanDirection from;
+  SpanDirection to;
 };
 
 /// By clearly more than rounding.
@@ -43,7 +43,7 @@ struct SpanContent {
 
 /// The circular list of angular spans. Contents may come in any order of
 /// depth; the nearest one stays. Keeps its memory when it is used again.
-class AngularSpans {
+class SpanList {
  public:
   void Clear();
 
@@ -68,19 +68,19 @@ class AngularSpans {
 
  private:
   struct Span {
-    ImageDirection begin;
+    SpanDirection begin;
     SpanContent content;
   };
 
   /// The span that begins there, made by splitting if need be.
-  std::size_t SplitAt(const ImageDirection& direction);
+  std::size_t SplitAt(const SpanDirection& direction);
   void Cover(std::size_t span, const SpanContent& content);
 
-  std::vector<Span> spans_;  ///< by theta, no two equal
-  SpanContent around_;       ///< everywhere as long as there is no span
-  std::vector<ImageDirection> ends_;  ///< of InsertCommonPart
+  std::vector<Span> spans_;          ///< by theta, no two equal
+  SpanContent around_;               ///< everywhere as long as there is no span
+  std::vector<SpanDirection> ends_;  ///< of InsertCommonPart
 };
 
 }  // namespace truelux
 
-#endif  // TRUELUX_BASELINES_ANGULAR_SPANS_H_
+#endif  // TRUELUX_BASELINES_SPAN_LIST_H_

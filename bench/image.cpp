@@ -20,6 +20,7 @@
 #include "truelux/irradiance.h"
 
 #include "announce.h"
+#include "baselines/timing.h"
 #include "measure.h"
 #include "scenes.h"
 

@@ -1,0 +1,82 @@
+#include "report/svg.h"
+
+#include <array>
+#include <fmt/format.h>
+
+namespace truelux {
+namespace {
+
+constexpr std::array<const char*, 7> kColours = {
+    "#d55e00", "#0072b2", "#009e73", "#cc79a7",
+    "#e69f00", "#56b4e9", "#555555"};
+
+/// The attributes that fill a marker; a hollow one covers what is below it.
+std::string FillAttributes(std::size_t series, MarkerFill fill) {
+  const char* colour = SeriesColour(series);
+  if (fill == MarkerFill::kSolid) return fmt::format("fill=\"{}\"", colour);
+  return fmt::format("fill=\"#ffffff\" stroke=\"{}\" stroke-width=\"1.5\"",
+                     colour);
+}
+
+}  // namespace
+
+std::string EscapedXml(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += static_cast<unsigned char>(c) < ' ' || c == '\x7F' ? ' ' : c;
+    }
+  }
+  return escaped;
+}
+
+std::string SvgText(double x, double y, const char* anchor, int size,
+                    std::string_view text, std::string_view more) {
+  return fmt::format(
+      "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{}\""
+      "{}>{}</text>\n",
+      x, y, anchor, size, more, EscapedXml(text));
+}
+
+std::string SvgLine(double x1, double y1, double x2, double y2,
+                    const char* colour) {
+  return fmt::format(
+      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\""
+      " stroke=\"{}\"/>\n",
+      x1, y1, x2, y2, colour);
+}
+
+const char* SeriesColour(std::size_t series) {
+  return kColours[series % kColours.size()];
+}
+
+std::string SvgMarker(double x, double y, std::size_t series, MarkerFill fill) {
+  const std::string style = FillAttributes(series, fill);
+  constexpr double kHalf = 4.5;
+  if (series % 3 == 0) {
+    return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" {}/>\n", x,
+                       y, kHalf, style);
+  }
+  if (series % 3 == 1) {
+    return fmt::format(
+        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\" {}/>\n",
+        x - kHalf, y - kHalf, 2 * kHalf, 2 * kHalf, style);
+  }
+  return fmt::format("<path d=\"M {:.1f} {:.1f} l {} {} h {} z\" {}/>\n", x,
+                     y - kHalf, kHalf, 2 * kHalf, -2 * kHalf, style);
+}
+
+}  // namespace truelux

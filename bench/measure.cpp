@@ -7,8 +7,8 @@
 #include <span>
 #include <utility>
 
-#include "announce.h"
 #include "baselines/timing.h"
+#include "cli/announce.h"
 
 namespace truelux::bench {
 namespace {

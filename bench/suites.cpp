@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "announce.h"
+#include "cli/announce.h"
 #include "methods.h"
 #include "scenes.h"
 #include "tables.h"

@@ -72,9 +72,8 @@ ReceiverError ErrorOf(const Rgb& value, const Rgb& truth) {
   return error;
 }
 
-std::size_t ErrorHistogram::Highest() const {
-  const std::size_t in_decades = *std::ranges::max_element(decades);
-  return std::max({exact, false_light, no_value, in_decades});
+std::size_t ErrorHistogram::HighestDecade() const {
+  return *std::ranges::max_element(decades);
 }
 
 std::size_t DecadeOf(double relative_error) {

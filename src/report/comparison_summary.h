@@ -45,8 +45,8 @@ struct ErrorHistogram {
   std::size_t false_light = 0;
   std::size_t no_value = 0;  ///< the method does not apply, or was not tried
 
-  /// The largest of the counts.
-  [[nodiscard]] std::size_t Highest() const;
+  /// The largest count of a decade.
+  [[nodiscard]] std::size_t HighestDecade() const;
 };
 
 /// The index into ErrorHistogram::decades for a relative error > 0.

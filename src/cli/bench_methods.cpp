@@ -49,9 +49,10 @@ void AddArrangement(const Setting& setting) {
 }
 
 void AddUnfiltered(const Setting& setting) {
-  Contender method = UnfilteredContender(setting.scene, "plain double");
-  method.note = "the contour engine without exact predicates";
-  setting.Add(std::move(method), "unfiltered predicates");
+  Contender method =
+      UnfilteredContender(setting.scene, "unfiltered predicates");
+  method.note = "takes rounded signs for true";
+  setting.Add(std::move(method));
 }
 
 /// Monte Carlo and quasi-Monte Carlo.

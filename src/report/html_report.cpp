@@ -23,7 +23,7 @@ h2 { font-size: 1.15rem; margin: 2.6rem 0 .3rem; padding-top: .6rem;
   border-top: 1px solid #d0d0d0; }
 h3 { font-size: 1rem; margin: 1.6rem 0 .1rem; }
 p { margin: .2rem 0 .7rem; max-width: 46rem; color: #444444; }
-.lead { font-size: 1.05rem; color: #222222; }
+.lead { font-size: 1.05rem; color: #222222; max-width: 58rem; }
 svg { display: block; width: 100%; height: auto; }
 svg.marker { display: inline-block; width: 12px; height: 12px; }
 table { border-collapse: collapse; font-size: .82rem;
@@ -36,6 +36,7 @@ th.text, td.text { text-align: left; }
 th.digits, td.digits { text-align: left; }
 td.digits { font-family: "DejaVu Sans Mono", Menlo, Consolas, monospace;
   font-size: .74rem; }
+td.seen { text-align: left; white-space: normal; min-width: 15rem; }
 tr.best td { font-weight: 600; }
 .off { color: #b03a00; }
 .wide { overflow-x: auto; }
@@ -53,6 +54,7 @@ dd { margin: 0 0 .5rem; }
   tr { break-inside: avoid; }
   .wide { overflow: visible; }
   table.worst { font-size: .6rem; }
+  td.seen { min-width: 9rem; }
   @page { size: A4 landscape; margin: 12mm; }
 }
 )";
@@ -138,7 +140,7 @@ std::string HistogramSection(const ReportView& view) {
   std::string html = fmt::format(
       "<section>\n<h2>Errors over the receivers</h2>\n"
       "<p>Receivers by the decade of their relative error. Apart from it, "
-      "with their counts: exact values (=), light where there is none (false), "
+      "with their counts: exact values, light where there is none (false), "
       "no value (none). All on one scale, {} at full height; higher bars are "
       "cut.</p>\n<div class=\"histograms\">\n",
       Count(scale, "receiver"));

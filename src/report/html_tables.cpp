@@ -1,7 +1,9 @@
 #include "report/html_tables.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -43,7 +45,7 @@ std::string MarkerCell(std::size_t series, bool everywhere) {
          "</svg></td>";
 }
 
-std::string Header(const char* names) {
+std::string Header(const std::string& names) {
   return fmt::format("<thead><tr>{}</tr></thead>\n<tbody>\n", names);
 }
 
@@ -124,7 +126,8 @@ std::string WorstErrorText(const ReceiverError& error) {
   return ScientificText(error.relative.value_or(0), 1);
 }
 
-std::string WorstRow(const ReportView& view, const WorstReceiver& worst) {
+std::string WorstRow(const ReportView& view, const WorstReceiver& worst,
+                     bool with_best) {
   constexpr const char* kChannels[] = {"r", "g", "b"};
   const Comparison& comparison = view.comparison;
   const Receiver& receiver = comparison.receivers[worst.receiver];
@@ -134,19 +137,44 @@ std::string WorstRow(const ReportView& view, const WorstReceiver& worst) {
   const double value = (*method.values[worst.receiver])[channel];
   const Point3& p = receiver.position;
   const Vector3& n = receiver.normal;
-  const std::string best =
-      worst.best_method == worst.method
-          ? ""
-          : fmt::format("{} ({})",
-                        EscapedXml(comparison.methods[worst.best_method].name),
-                        WorstErrorText(worst.best_error));
-  return "<tr>" + Cell(fmt::format("{}", worst.receiver + 1)) +
-         Cell(Triple(p.x, p.y, p.z), "text") +
-         Cell(Triple(n.x, n.y, n.z), "text") + TextCell(method.name) +
-         Cell(kChannels[channel], "text") + Cell(Number(truth), "digits") +
-         Cell(ComparedNumber(value, truth), "digits") +
-         Cell(WorstErrorText(worst.error)) + Cell(best, "text") +
-         TextCell(comparison.reasons[worst.receiver]) + "</tr>\n";
+  std::string row = "<tr>" + Cell(fmt::format("{}", worst.receiver + 1)) +
+                    Cell(Triple(p.x, p.y, p.z), "text") +
+                    Cell(Triple(n.x, n.y, n.z), "text") +
+                    TextCell(method.name) + Cell(kChannels[channel], "text") +
+                    Cell(Number(truth), "digits") +
+                    Cell(ComparedNumber(value, truth), "digits") +
+                    Cell(WorstErrorText(worst.error));
+  if (with_best) {
+    const std::string& best = comparison.methods[worst.best_method].name;
+    row += TextCell(
+        worst.best_method == worst.method
+            ? ""
+            : fmt::format("{} ({})", best, WorstErrorText(worst.best_error)));
+  }
+  return row + Cell(EscapedXml(comparison.reasons[worst.receiver]), "seen") +
+         "</tr>\n";
+}
+
+/// A group of one method has no better one to name.
+bool HasSeveralMethods(const ReportView& view, const std::string& group) {
+  return std::ranges::count(view.comparison.methods, group,
+                            &MethodResult::group) > 1;
+}
+
+std::string WorstTable(const ReportView& view, const WorstOfGroup& group) {
+  const bool with_best = HasSeveralMethods(view, group.group);
+  std::string names =
+      "<th>receiver</th><th class=\"text\">position</th>"
+      "<th class=\"text\">normal</th><th class=\"text\">worst method</th>"
+      "<th></th><th class=\"digits\">truth</th>"
+      "<th class=\"digits\">its value</th><th>error</th>";
+  if (with_best) names += "<th class=\"text\">best of the group</th>";
+  names += "<th class=\"text\">what is seen</th>";
+  std::string html =
+      "<div class=\"wide\"><table class=\"worst\">\n" + Header(names);
+  for (const WorstReceiver& worst : group.worst)
+    html += WorstRow(view, worst, with_best);
+  return html + "</tbody></table></div>\n";
 }
 
 }  // namespace
@@ -158,9 +186,12 @@ std::string ChoiceTable(const ReportView& view) {
       Header(
           "<th>no error above</th><th></th><th class=\"text\">fastest method"
           "</th><th>time</th><th>its largest error</th>");
-  for (const double bound : kBounds) {
-    html += "<tr>" + Cell(bound == 0 ? "exact" : ScientificText(bound, 0));
-    const std::optional<std::size_t> m = FastestWithin(view, bound);
+  for (std::size_t i = 0; i < std::size(kBounds); ++i) {
+    const std::optional<std::size_t> m = FastestWithin(view, kBounds[i]);
+    // Of bounds with the same answer the strictest one says it all.
+    const bool last = i + 1 == std::size(kBounds);
+    if (!last && FastestWithin(view, kBounds[i + 1]) == m) continue;
+    html += "<tr>" + Cell(last ? "exact" : ScientificText(kBounds[i], 0));
     if (m) {
       const MethodResult& method = view.comparison.methods[*m];
       html += MarkerCell(view.series[*m], true) + TextCell(method.name) +
@@ -195,20 +226,9 @@ std::string WorstTables(const ReportView& view) {
       html += "<p>Exact wherever it has a value.</p>\n";
       continue;
     }
-    html += fmt::format(
-        "<p>Not exact at {} of {} receivers.</p>\n"
-        "<div class=\"wide\"><table class=\"worst\">\n",
-        group.wrong, view.comparison.receivers.size());
-    html += Header(
-        "<th>receiver</th><th class=\"text\">position</th>"
-        "<th class=\"text\">normal</th><th class=\"text\">worst method</th>"
-        "<th></th><th class=\"digits\">truth</th>"
-        "<th class=\"digits\">its value</th><th>error</th>"
-        "<th class=\"text\">best of the group</th>"
-        "<th class=\"text\">what is seen</th>");
-    for (const WorstReceiver& worst : group.worst)
-      html += WorstRow(view, worst);
-    html += "</tbody></table></div>\n";
+    html += fmt::format("<p>Not exact at {} of {} receivers.</p>\n",
+                        group.wrong, view.comparison.receivers.size()) +
+            WorstTable(view, group);
   }
   return html;
 }

@@ -14,6 +14,7 @@ std::string ScientificText(double value, int digits) {
   const std::size_t exponent = text.find('e') + 2;
   if (text[exponent] == '0') text.erase(exponent, 1);
   if (text[exponent - 1] == '+') text.erase(exponent - 1, 1);
+  if (text.ends_with("e0")) text.erase(text.size() - 2);
   return text;
 }
 

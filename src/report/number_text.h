@@ -8,7 +8,7 @@
 namespace truelux {
 
 /// With `digits` digits behind the first one and a bare exponent: "3e-5",
-/// "1.2e-16"; "0" and "inf" for these.
+/// "1.2e-16", "3.5" (not "3.5e0"); "0" and "inf" for these.
 std::string ScientificText(double value, int digits);
 
 /// A time in a handy unit with about three digits: "740 ns", "14.8 µs".

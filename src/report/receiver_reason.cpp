@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "exact/number.h"
+#include "exact/sign.h"
 #include "exact/vec3.h"
 #include "report/number_text.h"
 
@@ -88,6 +90,8 @@ class Reader {
     for (const ContourArc& arc : contour_.arcs)
       ReadArc(arc);
     traits_.sources = static_cast<int>(parts_.size());
+    if (term_sum_ != 0)
+      traits_.cancellation = term_sizes_ / std::abs(term_sum_);
     ReadVertices();
     ReadMainSource();
     return traits_;
@@ -100,15 +104,16 @@ class Reader {
 
   void ReadArc(const ContourArc& arc) {
     const double angle = Angle(Direction(arc.from), Direction(arc.to));
+    const Vec term = angle / 2 * Unit(ToVec(arc.plane_normal));
+    term_sum_ += Dot(normal_, term);
+    term_sizes_ += std::abs(Dot(normal_, term));
     Part& part = parts_[arc.source];
-    part.vector_irradiance =
-        Sum(part.vector_irradiance, angle / 2 * Unit(ToVec(arc.plane_normal)));
+    part.vector_irradiance = Sum(part.vector_irradiance, term);
     part.perimeter += angle;
     part.vertices.insert({arc.from, arc.to});
     traits_.shortest_arc = std::min(traits_.shortest_arc, angle);
     if (arc.edge_face == 0) {
       ++traits_.horizon_arcs;
-      on_horizon_.insert({arc.from, arc.to});
     } else if (!IsOutline(arc)) {
       traits_.lighting = Lighting::kPenumbra;
     }
@@ -137,12 +142,23 @@ class Reader {
       }
       const double height = Height(i);
       traits_.highest = std::max(traits_.highest, height);
-      const bool on_horizon = vertex.kind == VertexKind::kHorizon ||
-                              height == 0 ||
-                              on_horizon_.contains(static_cast<int>(i));
-      if (on_horizon) continue;
+      if (IsOnHorizon(vertex)) continue;
       traits_.lowest = std::min(traits_.lowest.value_or(height), height);
     }
+  }
+
+  /// Exactly, so that what is only near the horizon is told apart.
+  [[nodiscard]] bool IsOnHorizon(const ContourVertex& vertex) const {
+    if (vertex.vertex < 0) return vertex.kind == VertexKind::kHorizon;
+    const Point3& v =
+        scene_.vertices()[static_cast<std::size_t>(vertex.vertex)];
+    const Point3& r = receiver_.position;
+    const Vector3& n = receiver_.normal;
+    const Vec3<Exact> normal{Exact(n.x), Exact(n.y), Exact(n.z)};
+    const Vec3<Exact> direction =
+        Vec3<Exact>{Exact(v.x), Exact(v.y), Exact(v.z)} -
+        Vec3<Exact>{Exact(r.x), Exact(r.y), Exact(r.z)};
+    return SignOf(Dot(normal, direction)) == Sign::kZero;
   }
 
   /// Above the horizon; of scene vertices from their coordinates, which are
@@ -185,7 +201,8 @@ class Reader {
   std::vector<Vec> directions_;  ///< of the vertices, of length 1
   std::map<int, Part> parts_;    ///< by the number of the source
   std::map<int, std::set<int>> outlines_;
-  std::set<int> on_horizon_;
+  double term_sum_ = 0;    ///< of the terms of Lambert's formula
+  double term_sizes_ = 0;  ///< of their absolute values
 };
 
 std::string SeenText(const ReceiverTraits& traits) {
@@ -221,6 +238,13 @@ std::vector<std::string> Difficulties(const ReceiverTraits& traits) {
     texts.push_back(fmt::format("tiny source ({} rad)", number(traits.extent)));
   if (traits.width < kSliverRatio * traits.extent) {
     texts.push_back(fmt::format("sliver ({} wide)", number(traits.width)));
+  }
+  if (traits.cancellation > kCancellation) {
+    constexpr double kReadable = 1e5;
+    texts.push_back(fmt::format("cancellation (terms {} times their sum)",
+                                traits.cancellation < kReadable
+                                    ? fmt::format("{:.0f}", traits.cancellation)
+                                    : number(traits.cancellation)));
   }
   if (traits.shortest_arc < kShortArc * std::min(1.0, traits.extent)) {
     texts.push_back(

@@ -44,6 +44,12 @@ struct ReceiverTraits {
   double highest = 0;
   std::optional<double> lowest;
 
+  /// Over all sources, the sum of the sizes of the terms of Lambert's formula
+  /// (half an arc's angle times its plane's unit normal, along the receiver's
+  /// normal) by the size of their sum: how many times the rounding errors of
+  /// the terms grow in the result.
+  double cancellation = 1;
+
   int conjunctions = 0;  ///< conjunctive vertices, see ContourVertex
   int most_planes = 0;   ///< planes through the conjunctive vertex with most
 };
@@ -63,6 +69,9 @@ inline constexpr double kGrazingHighest = 1e-2;
 ///                horizon without being on it, so that methods disagree about
 ///                its side.
 inline constexpr double kGrazingLowest = 1e-6;
+/// cancellation   the terms of Lambert's formula are more than a hundred times
+///                as large as their sum.
+inline constexpr double kCancellation = 100;
 /// short arc      an arc is shorter than a millionth of a radian and of the
 ///                extent: two vertices that all but coincide.
 inline constexpr double kShortArc = 1e-6;

@@ -8,16 +8,16 @@
 namespace truelux {
 namespace {
 
-constexpr double kWidth = 236;
+constexpr double kWidth = 244;
 constexpr double kHeight = 96;
 constexpr double kTop = 14;
 constexpr double kBase = 78;
 constexpr double kBar = 8;       ///< width of a decade
 constexpr double kSpecial = 12;  ///< width of a bar outside the decades
-constexpr double kExactX = 2;
-constexpr double kDecadesX = 28;
-constexpr double kFalseLightX = 184;
-constexpr double kNoValueX = 212;
+constexpr double kExactX = 9;
+constexpr double kDecadesX = 38;
+constexpr double kFalseLightX = 194;
+constexpr double kNoValueX = 222;
 
 class Histogram {
  public:
@@ -70,7 +70,7 @@ class Histogram {
       svg += SvgText(x, kBase + 13, "middle", 9,
                      e == 0 ? "1" : fmt::format("1e{}", e));
     }
-    svg += SvgText(kExactX + kSpecial / 2, kBase + 13, "middle", 9, "=");
+    svg += SvgText(kExactX + kSpecial / 2, kBase + 13, "middle", 9, "exact");
     svg +=
         SvgText(kFalseLightX + kSpecial / 2, kBase + 13, "middle", 9, "false");
     return svg +

@@ -182,7 +182,8 @@ class Chart {
       const double y = Y(std::pow(10.0, e));
       svg += SvgLine(kLeft, y, kLeft + kPlotWidth, y, kGrid);
       if (e % 2 == 0)
-        svg += SvgText(kLeft - 8, y + 4, "end", 12, fmt::format("1e{}", e));
+        svg += SvgText(kLeft - 8, y + 4, "end", 12,
+                       ScientificText(std::pow(10.0, e), 0));
     }
     svg += Box(top_, bottom_, "none");
     svg += Box(exact_top_, exact_bottom_, "#f3f3f3", 0.6);

@@ -116,8 +116,11 @@ std::string ComparedNumber(double value, double truth) {
                      text.substr(common));
 }
 
-std::string Triple(double x, double y, double z) {
-  return fmt::format("{}, {}, {}", Number(x), Number(y), Number(z));
+/// A point or a normal in few digits; all of them when pointed at.
+std::string TripleCell(double x, double y, double z) {
+  return fmt::format(
+      "<td class=\"text\" title=\"{},{},{}\">{:.6g}, {:.6g}, {:.6g}</td>",
+      Number(x), Number(y), Number(z), x, y, z);
 }
 
 std::string WorstErrorText(const ReceiverError& error) {
@@ -138,8 +141,7 @@ std::string WorstRow(const ReportView& view, const WorstReceiver& worst,
   const Point3& p = receiver.position;
   const Vector3& n = receiver.normal;
   std::string row = "<tr>" + Cell(fmt::format("{}", worst.receiver + 1)) +
-                    Cell(Triple(p.x, p.y, p.z), "text") +
-                    Cell(Triple(n.x, n.y, n.z), "text") +
+                    TripleCell(p.x, p.y, p.z) + TripleCell(n.x, n.y, n.z) +
                     TextCell(method.name) + Cell(kChannels[channel], "text") +
                     Cell(Number(truth), "digits") +
                     Cell(ComparedNumber(value, truth), "digits") +

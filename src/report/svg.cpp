@@ -10,6 +10,16 @@ constexpr std::array<const char*, 7> kColours = {
     "#d55e00", "#0072b2", "#009e73", "#cc79a7",
     "#e69f00", "#56b4e9", "#555555"};
 
+/// kHanging: a triangle that points down.
+enum class Shape { kCircle, kSquare, kTriangle, kDiamond, kCross, kHanging };
+
+/// Series with the same colour differ in shape, and the first seven, which
+/// differ in colour, have the plainest shapes.
+Shape ShapeOf(std::size_t series) {
+  const std::size_t cycle = series / kColours.size();
+  return static_cast<Shape>(series % 3 + (cycle % 2 == 1 ? 3 : 0));
+}
+
 /// The attributes that fill a marker; a hollow one covers what is below it.
 std::string FillAttributes(std::size_t series, MarkerFill fill) {
   const char* colour = SeriesColour(series);
@@ -66,17 +76,32 @@ const char* SeriesColour(std::size_t series) {
 std::string SvgMarker(double x, double y, std::size_t series, MarkerFill fill) {
   const std::string style = FillAttributes(series, fill);
   constexpr double kHalf = 4.5;
-  if (series % 3 == 0) {
-    return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" {}/>\n", x,
-                       y, kHalf, style);
-  }
-  if (series % 3 == 1) {
-    return fmt::format(
-        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\" {}/>\n",
-        x - kHalf, y - kHalf, 2 * kHalf, 2 * kHalf, style);
+  switch (ShapeOf(series)) {
+    case Shape::kCircle:
+      return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" {}/>\n",
+                         x, y, kHalf, style);
+    case Shape::kSquare:
+      return fmt::format(
+          "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\" {}/>\n",
+          x - kHalf, y - kHalf, 2 * kHalf, 2 * kHalf, style);
+    case Shape::kTriangle:
+      return fmt::format("<path d=\"M {:.1f} {:.1f} l {} {} h {} z\" {}/>\n", x,
+                         y - kHalf, kHalf, 2 * kHalf, -2 * kHalf, style);
+    case Shape::kDiamond:
+      return fmt::format(
+          "<path d=\"M {:.1f} {:.1f} l 5.5 5.5 l -5.5 5.5 l -5.5 -5.5 z\""
+          " {}/>\n",
+          x, y - 5.5, style);
+    case Shape::kCross:
+      return fmt::format(
+          "<path d=\"M {:.1f} {:.1f} h 4 v 3.5 h 3.5 v 4 h -3.5 v 3.5 h -4"
+          " v -3.5 h -3.5 v -4 h 3.5 z\" {}/>\n",
+          x - 2, y - 5.5, style);
+    case Shape::kHanging:
+      break;
   }
   return fmt::format("<path d=\"M {:.1f} {:.1f} l {} {} h {} z\" {}/>\n", x,
-                     y - kHalf, kHalf, 2 * kHalf, -2 * kHalf, style);
+                     y + kHalf, kHalf, -2 * kHalf, -2 * kHalf, style);
 }
 
 }  // namespace truelux

@@ -50,7 +50,7 @@ dt { font-weight: 600; }
 dd { margin: 0 0 .5rem; }
 @media print {
   body { margin: 0; max-width: none; font-size: 10pt; }
-  h2, h3 { break-after: avoid; }
+  h2, h3, h2 + p, h3 + p { break-after: avoid; }
   tr { break-inside: avoid; }
   .wide { overflow: visible; }
   table.worst { font-size: .6rem; }

@@ -90,8 +90,10 @@ class Reader {
     for (const ContourArc& arc : contour_.arcs)
       ReadArc(arc);
     traits_.sources = static_cast<int>(parts_.size());
-    if (term_sum_ != 0)
-      traits_.cancellation = term_sizes_ / std::abs(term_sum_);
+    if (term_sizes_ > 0) {
+      traits_.cancellation =
+          term_sizes_ / std::max(std::abs(term_sum_), kRounding * term_sizes_);
+    }
     ReadVertices();
     ReadMainSource();
     return traits_;
@@ -217,7 +219,10 @@ std::string SeenText(const ReceiverTraits& traits) {
 }
 
 std::vector<std::string> Difficulties(const ReceiverTraits& traits) {
-  const auto number = [](double value) { return ScientificText(value, 0); };
+  const auto number = [](double value) {
+    return value < kRounding ? "under " + ScientificText(kRounding, 0)
+                             : ScientificText(value, 0);
+  };
   std::vector<std::string> texts;
   if (traits.lighting == Lighting::kUnlit) return texts;
   if (traits.conjunctions == 1) {

@@ -20,11 +20,15 @@ enum class Lighting {
   kPenumbra,  ///< an edge of something else bounds it somewhere
 };
 
+/// The least angle or width that says anything [rad].
+inline constexpr double kRounding = 1e-15;
+
 /// Facts about the visible contour of one receiver, all in binary64 and good
-/// to a few digits. Angles in radians as seen from the receiver. The main
-/// source is the one whose visible part has the largest vector irradiance
-/// (half the sum over its arcs of angle times unit normal of the arc's plane),
-/// for small parts its solid angle.
+/// to a few digits. Angles in radians as seen from the receiver; what is
+/// smaller than kRounding is rounding, since the directions of the contour are
+/// rounded. The main source is the one whose visible part has the largest
+/// vector irradiance (half the sum over its arcs of angle times unit normal of
+/// the arc's plane), for small parts its solid angle.
 struct ReceiverTraits {
   Lighting lighting = Lighting::kUnlit;
   int sources = 0;       ///< sources of which something is seen
@@ -47,7 +51,7 @@ struct ReceiverTraits {
   /// Over all sources, the sum of the sizes of the terms of Lambert's formula
   /// (half an arc's angle times its plane's unit normal, along the receiver's
   /// normal) by the size of their sum: how many times the rounding errors of
-  /// the terms grow in the result.
+  /// the terms grow in the result. At most 1 / kRounding.
   double cancellation = 1;
 
   int conjunctions = 0;  ///< conjunctive vertices, see ContourVertex

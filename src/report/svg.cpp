@@ -2,6 +2,9 @@
 
 #include <array>
 #include <fmt/format.h>
+#include <stdexcept>
+
+#include <boost/regex/pending/unicode_iterator.hpp>
 
 namespace truelux {
 namespace {
@@ -28,11 +31,30 @@ std::string FillAttributes(std::size_t series, MarkerFill fill) {
                      colour);
 }
 
+bool IsUtf8(std::string_view text) {
+  using Characters = boost::u8_to_u32_iterator<const char*>;
+  const char* begin = text.data();
+  const char* end = begin + text.size();
+  try {
+    for (Characters at(begin, begin, end); at != Characters(end, begin, end);
+         ++at)
+      static_cast<void>(*at);
+    return true;
+  } catch (const std::out_of_range&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 std::string EscapedXml(std::string_view text) {
   std::string escaped;
+  const bool is_utf8 = IsUtf8(text);
   for (const char c : text) {
+    if (!is_utf8 && static_cast<unsigned char>(c) >= 0x80U) {
+      escaped += "\uFFFD";
+      continue;
+    }
     switch (c) {
       case '&':
         escaped += "&amp;";

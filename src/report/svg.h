@@ -10,7 +10,8 @@
 namespace truelux {
 
 /// The text with &, <, > and quotes written so that XML and HTML read it back.
-/// Control characters, which XML does not allow, become blanks.
+/// Control characters, which XML does not allow, become blanks; if the text is
+/// no UTF-8, every byte of it that is not ASCII becomes U+FFFD.
 std::string EscapedXml(std::string_view text);
 
 /// A text at a point. anchor: "start", "middle" or "end"; more: further

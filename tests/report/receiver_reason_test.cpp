@@ -78,6 +78,13 @@ TEST(ReceiverReason, TinySource) {
   EXPECT_EQ(reason, "fully lit, 4 arcs; tiny source (3e-5 rad)");
 }
 
+TEST(ReceiverReason, WhatIsOnlyRoundingIsSaidToBe) {
+  const double a = 1e-20;
+  const std::string reason = Reason({{Ceiling(-a, a, -a, a, 1), kLamp}});
+  EXPECT_NE(reason.find("tiny source (under 1e-15 rad)"), std::string::npos)
+      << reason;
+}
+
 TEST(ReceiverReason, SliverBetweenTwoBlockers) {
   const ReceiverTraits traits =
       Traits({kSquare,

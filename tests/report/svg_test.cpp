@@ -20,6 +20,11 @@ using testing::MarkupDefect;
 TEST(Svg, TextsAreEscaped) {
   EXPECT_EQ(EscapedXml("a<b & \"c\">\n"), "a&lt;b &amp; &quot;c&quot;&gt; ");
   EXPECT_EQ(MarkupDefect(SvgText(1, 2, "end", 12, "<&>\"\x01")), "");
+  EXPECT_EQ(EscapedXml("caf\u00e9"), "caf\u00e9");
+  for (const char* latin : {"caf\xE9", "\xE9t\xE9", "\xC3", "\xC0\x80"}) {
+    EXPECT_EQ(EscapedXml(latin).find_first_of("\xE9\xC3\xC0"),
+              std::string::npos);
+  }
   EXPECT_EQ(SvgText(1, 2, "end", 12, "a"),
             "<text x=\"1.0\" y=\"2.0\" text-anchor=\"end\" font-size=\"12\">a"
             "</text>\n");

@@ -53,6 +53,8 @@ class Entry {
     result_.group = method.group;
     result_.note = method.note;
     result_.values.resize(all.size());
+    // Who has so few receivers is slow, and Ctrl-C must not have to wait.
+    if (method.max_receivers != 0) block_size_ = 1;
     indices_ = EvenlyPicked(all.size(), most);
     for (const std::size_t i : indices_)
       receivers_.push_back(all[i]);
@@ -60,12 +62,13 @@ class Entry {
 
   /// Finds the values, until `seconds` are used up. nothing: without limit.
   void FindValues(std::optional<double> seconds) {
-    const std::size_t blocks = (receivers_.size() + kBlock - 1) / kBlock;
+    const std::size_t blocks =
+        (receivers_.size() + block_size_ - 1) / block_size_;
     std::vector<std::size_t> tried;
     for (const std::size_t block : SpreadOrder(blocks)) {
       if (seconds && !tried.empty() && spent_ > *seconds) break;
       Announce(fmt::format("{}: {} of {} receivers", method_.name,
-                           kBlock * tried.size(), receivers_.size()));
+                           block_size_ * tried.size(), receivers_.size()));
       tried.push_back(block);
       RunBlock(block);
     }
@@ -91,15 +94,15 @@ class Entry {
   [[nodiscard]] MethodResult TakeResult() { return std::move(result_); }
 
  private:
-  [[nodiscard]] std::size_t BlockSize(std::size_t block) const {
-    return std::min(kBlock, receivers_.size() - kBlock * block);
+  [[nodiscard]] std::size_t SizeOf(std::size_t block) const {
+    return std::min(block_size_, receivers_.size() - block_size_ * block);
   }
 
   void RunBlock(std::size_t block) {
-    const std::size_t first = kBlock * block;
+    const std::size_t first = block_size_ * block;
     const double begin = ThreadSeconds();
     const auto answers =
-        method_.run(std::span(receivers_).subspan(first, BlockSize(block)));
+        method_.run(std::span(receivers_).subspan(first, SizeOf(block)));
     spent_ += ThreadSeconds() - begin;
     for (std::size_t i = 0; i < answers.size(); ++i) {
       if (answers[i]) result_.values[indices_[first + i]] = answers[i]->value;
@@ -112,21 +115,23 @@ class Entry {
     std::vector<Receiver> receivers;
     for (const std::size_t block : tried) {
       const auto of_block =
-          std::span(receivers_).subspan(kBlock * block, BlockSize(block));
+          std::span(receivers_).subspan(block_size_ * block, SizeOf(block));
       receivers.insert(receivers.end(), of_block.begin(), of_block.end());
     }
     receivers_ = std::move(receivers);
   }
 
   void RunAll() const {
-    for (std::size_t at = 0; at < receivers_.size(); at += kBlock) {
+    for (std::size_t at = 0; at < receivers_.size(); at += block_size_) {
       StopIfInterrupted();
-      method_.run(std::span(receivers_)
-                      .subspan(at, std::min(kBlock, receivers_.size() - at)));
+      method_.run(
+          std::span(receivers_)
+              .subspan(at, std::min(block_size_, receivers_.size() - at)));
     }
   }
 
   const Contender& method_;
+  std::size_t block_size_ = kBlock;
   std::vector<std::size_t> indices_;  ///< of the receivers, in the comparison
   std::vector<Receiver> receivers_;
   std::vector<double> rounds_;  ///< microseconds a receiver

@@ -67,12 +67,12 @@ std::string MethodsCsv(const Comparison& comparison) {
   std::string text =
       "method,group,microseconds,receivers,left_out,lit,median_relative_error,"
       "percentile_95_relative_error,max_relative_error,rms_relative_error,"
-      "max_absolute_error,lit_falsely,exact";
+      "max_absolute_error,false_light,exact";
   for (std::size_t i = 0; i < ErrorHistogram::kDecades; ++i) {
     text += fmt::format(",from_1e{}",
                         ErrorHistogram::kLowest + static_cast<int>(i));
   }
-  text += ",false_light,no_value\n";
+  text += ",only_false_light,no_value\n";
   for (const MethodResult& method : comparison.methods) {
     const MethodSummary summary = Summarize(comparison, method);
     text += CsvField(method.name);

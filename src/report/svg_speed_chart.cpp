@@ -210,6 +210,9 @@ class Chart {
 
   [[nodiscard]] std::string Labels() const {
     LabelLayout layout({kLeft + 2, kTop, kRight - 2, layout_.exact_bottom()});
+    // The border between the plot and the band below.
+    layout.Avoid(
+        {kLeft, layout_.bottom() - 2, kRight, layout_.exact_top() + 2});
     constexpr double kHalf = 6;
     for (const Mark& mark : layout_.marks()) {
       layout.Avoid(

@@ -21,8 +21,9 @@ class Bench : public ::testing::Test {
  protected:
   [[nodiscard]] Outcome Run(std::vector<std::string> more,
                             const Surroundings& around = {}) const {
-    more.insert(more.begin(),
-                {"bench", scene_, table_, "--quick", "--seconds", "0.05"});
+    more.insert(more.begin(), {"bench", scene_, table_, "--quick"});
+    if (std::ranges::find(more, "--seconds") == more.end())
+      more.insert(more.end(), {"--seconds", "0.05"});
     return RunTruelux(more, around);
   }
 
@@ -90,6 +91,19 @@ TEST_F(Bench, PicksReceiversEvenly) {
   EXPECT_EQ(CountOf(rows, "\n"), 4U);
   for (const char* row : {"\n1,0.1,0,", "\n2,0.4,0,", "\n3,0.7,0,"})
     EXPECT_EQ(CountOf(rows, row), 1U) << rows;
+}
+
+TEST_F(Bench, WithoutTimeTriesAFewReceiversAndSaysSo) {
+  folder_.Write("in.csv", Table(40));
+  ASSERT_EQ(Run({"-o", folder_ / "r.html", "--seconds", "0"}).exit_status, 0);
+  const std::string methods = ReadFile(folder_ / "r.csv");
+  EXPECT_EQ(CountOf(methods, ",40,0,40,0,"), 1U)
+      << methods;  // the truth is whole
+  const std::string scanline = methods.substr(methods.find("\nscanline 8,"));
+  EXPECT_EQ(CountOf(scanline.substr(0, scanline.find('\n', 1)), ",16,24,"), 1U)
+      << methods;
+  EXPECT_GE(CountOf(ReadFile(folder_ / "r.html"), "not tried on 24 receivers"),
+            1U);
 }
 
 TEST_F(Bench, ReadsStandardInput) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <unistd.h>
 
+#include "cli/cmd_bench.h"
 #include "cli/cmd_eval.h"
 #include "cli/exit_status.h"
 #include "cli/interrupt.h"
@@ -63,9 +64,11 @@ ExitStatus Run(int argc, char** argv) {
              kExitStatusHelp);
   EvalArguments eval;
   AddEvalCommand(app, eval);
+  BenchArguments bench;
+  AddBenchCommand(app, bench);
   try {
     app.parse(argc, argv);
-    return RunEval(eval);
+    return app.got_subcommand("bench") ? RunBench(bench) : RunEval(eval);
   } catch (const CLI::CallForHelp&) {
     WriteStandardOutput(app.help());
     return ExitStatus::kDone;

@@ -46,7 +46,8 @@ std::optional<double> RootMeanSquare(const std::vector<Irradiance>& results,
 /// Microseconds a receiver.
 double Time(const Entry& entry) {
   const double seconds =
-      SecondsOfRun([&entry] { entry.method->run(entry.Receivers()); });
+      SecondsOfRun([&entry] { entry.method->run(entry.Receivers()); },
+                   entry.method->not_counted.get());
   return 1e6 * seconds / static_cast<double>(entry.receivers);
 }
 

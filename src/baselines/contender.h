@@ -34,6 +34,8 @@ struct Contender {
   /// It is run on so many receivers only; 0: on all.
   std::size_t max_receivers = 0;
   std::string note = {};  ///< what a reader must know about it
+  /// Runs add the seconds that are not the method's own; null: there are none.
+  std::shared_ptr<double> not_counted = {};
 };
 
 /// A method that takes the receivers one by one. one(receiver, index) gives an

@@ -17,17 +17,21 @@ double WallSeconds() {
   return std::chrono::duration<double>(now).count();
 }
 
-double SecondsOfRun(const std::function<void()>& run) {
+double SecondsOfRun(const std::function<void()>& run,
+                    const double* not_counted) {
   constexpr double kLeastSeconds = 0.005;
-  double begin = ThreadSeconds();
+  const auto now = [not_counted] {
+    return ThreadSeconds() - (not_counted == nullptr ? 0 : *not_counted);
+  };
+  double begin = now();
   run();
-  double seconds = ThreadSeconds() - begin;
+  double seconds = now() - begin;
   if (seconds >= kLeastSeconds) return seconds;
   int runs = 0;
-  begin = ThreadSeconds();
+  begin = now();
   for (seconds = 0; seconds < kLeastSeconds; ++runs) {
     run();
-    seconds = ThreadSeconds() - begin;
+    seconds = now() - begin;
   }
   return seconds / runs;
 }

@@ -15,8 +15,10 @@ namespace truelux {
 
 /// Processor time of one run [s]. Short runs are repeated, after one that does
 /// not count: the method before may have left the caches and the heap in a
-/// state whose mending must not be charged here.
-[[nodiscard]] double SecondsOfRun(const std::function<void()>& run);
+/// state whose mending must not be charged here. not_counted: a sum of seconds
+/// that runs add to for what is not the measured thing's own; null: none.
+[[nodiscard]] double SecondsOfRun(const std::function<void()>& run,
+                                  const double* not_counted = nullptr);
 
 }  // namespace truelux
 

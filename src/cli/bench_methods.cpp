@@ -5,6 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "baselines/formula_contender.h"
+#include "baselines/vertex_tracing.h"
+
 namespace truelux {
 namespace {
 
@@ -46,6 +49,49 @@ void AddArrangement(const Setting& setting) {
                                      {.engine = Engine::kArrangement});
   method.max_receivers = kArrangementReceivers;
   setting.Add(std::move(method), kOwnGroup);
+}
+
+void AddAngularSpans(const Setting& setting) {
+  if (setting.scene.triangles().size() > kArrangementTriangles &&
+      !setting.choice.arrangement) {
+    return;  // the arrangement engine has said why
+  }
+  Contender method = OracleContender(setting.scene, "angular spans",
+                                     {.engine = Engine::kAngularSpans});
+  method.max_receivers = kArrangementReceivers;
+  setting.Add(std::move(method), kOwnGroup);
+}
+
+/// Every formula in every arithmetic.
+void AddFormulas(const Setting& setting) {
+  for (const Arithmetic arithmetic :
+       {Arithmetic::kFloat, Arithmetic::kDouble, Arithmetic::kDoubleDouble,
+        Arithmetic::kMultiprecision}) {
+    for (const Formula formula : AllFormulas()) {
+      // kAuto is --method double, with the oracles.
+      if (formula == Formula::kAuto) continue;
+      setting.Add(FormulaContender(setting.scene, formula, arithmetic));
+    }
+  }
+}
+
+void AddVertexTracing(const Setting& setting) {
+  const auto add = [&setting](const std::string& name,
+                              const VertexTracingOptions& options) {
+    const auto tracing =
+        std::make_shared<const VertexTracing>(setting.scene, options);
+    setting.Add(EachReceiver(name, "vertex tracing",
+                             [tracing](const Receiver& receiver, std::size_t) {
+                               return tracing->Evaluate(receiver);
+                             }));
+  };
+  add("vertex tracing, rays", {});
+  const std::vector<double> angles =
+      setting.choice.quick ? std::vector{1e-6} : std::vector{1e-4, 1e-6, 1e-8};
+  for (const double angle : angles) {
+    add(fmt::format("vertex tracing, cones {:g}", angle),
+        {.tracing = Tracing::kCones, .nape_angle = angle});
+  }
 }
 
 void AddUnfiltered(const Setting& setting) {
@@ -91,7 +137,8 @@ void AddScanline(const Setting& setting) {
 
 /// The families of methods, in the order in which a report shows them. Each
 /// adds what it can run and says what it cannot. The first one adds the truth.
-constexpr auto kFamilies = {AddOracles, AddArrangement, AddUnfiltered,
+constexpr auto kFamilies = {AddOracles,    AddArrangement,   AddAngularSpans,
+                            AddFormulas,   AddVertexTracing, AddUnfiltered,
                             AddShadowRays, AddScanline};
 
 }  // namespace

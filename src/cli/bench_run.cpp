@@ -83,7 +83,8 @@ class Entry {
   void TimeOnce(double seconds) {
     if (spent_ > seconds) return;
     const double begin = ThreadSeconds();
-    const double once = SecondsOfRun([this] { RunAll(); });
+    const double once =
+        SecondsOfRun([this] { RunAll(); }, method_.not_counted.get());
     spent_ += ThreadSeconds() - begin;
     rounds_.push_back(1e6 * once / static_cast<double>(receivers_.size()));
     result_.microseconds = Median(rounds_);

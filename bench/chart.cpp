@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
-#include <limits>
+
+#include "report/svg.h"
+#include "report/svg_axis.h"
 
 namespace truelux::bench {
 namespace {
@@ -17,30 +19,6 @@ constexpr double kTop = 90;
 constexpr double kGap = 30;
 constexpr double kBottom = 60;
 constexpr double kLegendWidth = 200;
-
-/// Colours that most colour-blind readers can tell apart (Okabe and Ito).
-constexpr std::array<const char*, 7> kColours = {
-    "#d55e00", "#0072b2", "#009e73", "#cc79a7",
-    "#e69f00", "#56b4e9", "#555555"};
-
-/// A logarithmic axis over whole decades.
-struct Axis {
-  int low = std::numeric_limits<int>::max();  ///< decimal exponents
-  int high = std::numeric_limits<int>::min();
-
-  /// Leaves room for a label on either side of the value.
-  void Cover(double value) {
-    constexpr double kRoom = 0.3;
-    const double decade = std::log10(value);
-    low = std::min(low, static_cast<int>(std::floor(decade - kRoom)));
-    high = std::max(high, static_cast<int>(std::ceil(decade + kRoom)));
-  }
-
-  /// 0 at the low end, 1 at the high end.
-  [[nodiscard]] double At(double value) const {
-    return (std::log10(value) - low) / (high - low);
-  }
-};
 
 bool IsShown(const Measurement& m) {
   return m.error && *m.error > 0 && m.Microseconds() > 0;
@@ -67,52 +45,6 @@ std::vector<std::string> Distinct(const std::vector<Measurement>& shown,
   return names;
 }
 
-std::string Text(double x, double y, const char* anchor, int size,
-                 const std::string& text, const std::string& more = "") {
-  return fmt::format(
-      "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{}\""
-      "{}>{}</text>\n",
-      x, y, anchor, size, more, text);
-}
-
-std::string Line(double x1, double y1, double x2, double y2,
-                 const char* colour) {
-  return fmt::format(
-      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\""
-      " stroke=\"{}\"/>\n",
-      x1, y1, x2, y2, colour);
-}
-
-/// A marker whose shape and colour belong to the series.
-std::string Marker(double x, double y, std::size_t series) {
-  const char* colour = kColours[series % kColours.size()];
-  constexpr double kHalf = 4.5;
-  if (series % 3 == 0) {
-    return fmt::format(
-        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\"/>\n", x, y,
-        kHalf, colour);
-  }
-  if (series % 3 == 1) {
-    return fmt::format(
-        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\""
-        " fill=\"{}\"/>\n",
-        x - kHalf, y - kHalf, 2 * kHalf, 2 * kHalf, colour);
-  }
-  return fmt::format(
-      "<path d=\"M {:.1f} {:.1f} l {} {} h {} z\" fill=\"{}\"/>\n", x,
-      y - kHalf, kHalf, 2 * kHalf, -2 * kHalf, colour);
-}
-
-/// 10^exponent microseconds in a handy unit.
-std::string TimeLabel(int exponent) {
-  constexpr std::array<const char*, 4> kUnits = {"ns", "\u00b5s", "ms", "s"};
-  const std::ptrdiff_t thousands =
-      std::clamp(static_cast<int>(std::floor(exponent / 3.0)), -1, 2);
-  return fmt::format(
-      "{:g} {}", std::pow(10.0, static_cast<double>(exponent - 3 * thousands)),
-      kUnits[static_cast<std::size_t>(thousands + 1)]);
-}
-
 /// What distinguishes a method within its family: "1024".
 std::string EffortOf(const Measurement& m) {
   return m.method.size() > m.family.size()
@@ -126,9 +58,9 @@ enum class Side { kAbove, kBelow, kBefore };
 std::string Label(double x, double y, Side side, const std::string& text) {
   constexpr int kSize = 11;
   if (text.empty()) return "";
-  if (side == Side::kAbove) return Text(x, y - 9, "middle", kSize, text);
-  if (side == Side::kBelow) return Text(x, y + 17, "middle", kSize, text);
-  return Text(x - 9, y + 4, "end", kSize, text);
+  if (side == Side::kAbove) return SvgText(x, y - 9, "middle", kSize, text);
+  if (side == Side::kBelow) return SvgText(x, y + 17, "middle", kSize, text);
+  return SvgText(x - 9, y + 4, "end", kSize, text);
 }
 
 /// The families with labels take turns, since lines that are near each other
@@ -141,7 +73,7 @@ Side SideOf(std::size_t line) {
 /// The frame, the series and the axes of one scene.
 class Panel {
  public:
-  Panel(double left, const Axis& x, const Axis& y)
+  Panel(double left, const DecadeAxis& x, const DecadeAxis& y)
       : left_(left), x_axis_(x), y_axis_(y) {}
 
   [[nodiscard]] std::string Frame(const std::string& title,
@@ -149,24 +81,24 @@ class Panel {
     std::string svg;
     for (int e = x_axis_.low; e <= x_axis_.high; ++e) {
       const double x = X(std::pow(10.0, e));
-      svg += Line(x, kTop, x, kTop + kPanelHeight, "#dddddd");
+      svg += SvgLine(x, kTop, x, kTop + kPanelHeight, "#dddddd");
       // The last label would run into the next panel's first.
       if (e < x_axis_.high)
-        svg += Text(x, kTop + kPanelHeight + 18, "middle", 12, TimeLabel(e));
+        svg += SvgText(x, kTop + kPanelHeight + 18, "middle", 12, TimeLabel(e));
     }
     for (int e = y_axis_.low; e <= y_axis_.high; ++e) {
       const double y = Y(std::pow(10.0, e));
-      svg += Line(left_, y, left_ + kPanelWidth, y, "#dddddd");
+      svg += SvgLine(left_, y, left_ + kPanelWidth, y, "#dddddd");
       if (with_error_labels && e % 2 == 0)
-        svg += Text(left_ - 8, y + 4, "end", 12, fmt::format("1e{}", e));
+        svg += SvgText(left_ - 8, y + 4, "end", 12, fmt::format("1e{}", e));
     }
     svg += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\""
         " stroke=\"#444444\"/>\n",
         left_, kTop, kPanelWidth, kPanelHeight);
-    svg += Text(left_ + kPanelWidth / 2, kTop - 12, "middle", 14, title);
-    svg += Text(left_ + kPanelWidth / 2, kTop + kPanelHeight + 42, "middle", 13,
-                "time per receiver, one thread");
+    svg += SvgText(left_ + kPanelWidth / 2, kTop - 12, "middle", 14, title);
+    svg += SvgText(left_ + kPanelWidth / 2, kTop + kPanelHeight + 42, "middle",
+                   13, "time per receiver, one thread");
     return svg;
   }
 
@@ -182,11 +114,11 @@ class Panel {
     std::string svg = fmt::format(
         "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\""
         " stroke-width=\"1.5\"/>\n",
-        corners, kColours[index % kColours.size()]);
+        corners, SeriesColour(index));
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double x = X(points[i].Microseconds());
       const double y = Y(*points[i].error);
-      svg += Marker(x, y, index);
+      svg += SvgMarker(x, y, index);
       if (i == 0 || i + 1 == points.size())
         svg += Label(x, y, labels, EffortOf(points[i]));
     }
@@ -203,16 +135,16 @@ class Panel {
   }
 
   double left_;
-  Axis x_axis_;
-  Axis y_axis_;
+  DecadeAxis x_axis_;
+  DecadeAxis y_axis_;
 };
 
 std::string Legend(double left, const std::vector<std::string>& families) {
   std::string svg;
   for (std::size_t i = 0; i < families.size(); ++i) {
     const double y = kTop + 14 + 24 * static_cast<double>(i);
-    svg += Marker(left + 8, y, i);
-    svg += Text(left + 22, y + 4, "start", 13, families[i]);
+    svg += SvgMarker(left + 8, y, i);
+    svg += SvgText(left + 22, y + 4, "start", 13, families[i]);
   }
   return svg;
 }
@@ -222,8 +154,8 @@ std::string Legend(double left, const std::vector<std::string>& families) {
 std::string ErrorChart(const std::vector<Measurement>& measurements,
                        const std::vector<std::string>& scenes) {
   const std::vector<Measurement> shown = Shown(measurements, scenes);
-  Axis x;
-  Axis y;
+  DecadeAxis x;
+  DecadeAxis y;
   for (const Measurement& m : shown) {
     x.Cover(m.Microseconds());
     y.Cover(*m.error);
@@ -241,12 +173,12 @@ std::string ErrorChart(const std::vector<Measurement>& measurements,
       " viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\">\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
       width, height);
-  svg += Text(kLeft, 26, "start", 16, "Irradiance behind random triangles");
-  svg += Text(kLeft, 45, "start", 12,
-              "numbers beside lines: shadow rays, or rows of the scanline");
-  svg += Text(0, 0, "middle", 13, "relative RMS error",
-              fmt::format(" transform=\"translate(24 {}) rotate(-90)\"",
-                          kTop + kPanelHeight / 2));
+  svg += SvgText(kLeft, 26, "start", 16, "Irradiance behind random triangles");
+  svg += SvgText(kLeft, 45, "start", 12,
+                 "numbers beside lines: shadow rays, or rows of the scanline");
+  svg += SvgText(0, 0, "middle", 13, "relative RMS error",
+                 fmt::format(" transform=\"translate(24 {}) rotate(-90)\"",
+                             kTop + kPanelHeight / 2));
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Panel panel(kLeft + static_cast<double>(i) * (kPanelWidth + kGap), x,
                       y);

@@ -19,7 +19,8 @@
 #include "truelux/io.h"
 #include "truelux/irradiance.h"
 
-#include "announce.h"
+#include "baselines/timing.h"
+#include "cli/announce.h"
 #include "measure.h"
 #include "scenes.h"
 

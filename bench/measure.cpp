@@ -1,15 +1,14 @@
 #include "measure.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <ctime>
 #include <fmt/format.h>
 #include <span>
 #include <utility>
 
-#include "announce.h"
+#include "baselines/timing.h"
+#include "cli/announce.h"
 
 namespace truelux::bench {
 namespace {
@@ -44,23 +43,21 @@ std::optional<double> RootMeanSquare(const std::vector<Irradiance>& results,
   return std::sqrt(sum / count);
 }
 
-/// Microseconds a receiver. Short runs are repeated, after one that does not
-/// count: the method before may have left the caches and the heap in a state
-/// whose mending must not be charged here.
+/// Microseconds a receiver.
 double Time(const Entry& entry) {
-  constexpr double kLeastSeconds = 0.005;
-  double begin = ThreadSeconds();
-  entry.method->run(entry.Receivers());
-  double seconds = ThreadSeconds() - begin;
-  int runs = 1;
-  if (seconds < kLeastSeconds) {
-    begin = ThreadSeconds();
-    for (runs = 0, seconds = 0; seconds < kLeastSeconds; ++runs) {
-      entry.method->run(entry.Receivers());
-      seconds = ThreadSeconds() - begin;
-    }
-  }
-  return 1e6 * seconds / (runs * static_cast<double>(entry.receivers));
+  const double seconds =
+      SecondsOfRun([&entry] { entry.method->run(entry.Receivers()); },
+                   entry.method->not_counted.get());
+  return 1e6 * seconds / static_cast<double>(entry.receivers);
+}
+
+/// The answers of a method that has one everywhere.
+std::vector<Irradiance> Run(const Entry& entry) {
+  std::vector<Irradiance> results;
+  for (const std::optional<Irradiance>& e :
+       entry.method->run(entry.Receivers()))
+    results.push_back(e.value());
+  return results;
 }
 
 /// Runs the methods of a task once; the first one's values are the truth.
@@ -68,8 +65,7 @@ void FindErrors(std::span<Entry> entries) {
   std::vector<Irradiance> truth;
   for (Entry& entry : entries) {
     Announce(entry.scene->name + ": " + entry.method->name);
-    const std::vector<Irradiance> results =
-        entry.method->run(entry.Receivers());
+    const std::vector<Irradiance> results = Run(entry);
     for (const Irradiance& irradiance : results)
       entry.result.statistics += irradiance.statistics;
     if (truth.empty()) {
@@ -88,25 +84,6 @@ void FindErrors(std::span<Entry> entries) {
 
 }  // namespace
 
-double ThreadSeconds() {
-  std::timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) +
-         1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-double WallSeconds() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(now).count();
-}
-
-double Median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle]
-                                : (values[middle - 1] + values[middle]) / 2;
-}
-
 std::vector<Measurement> Measure(const std::vector<Task>& tasks,
                                  const Limits& limits) {
   std::vector<Entry> entries;
@@ -118,7 +95,7 @@ std::vector<Measurement> Measure(const std::vector<Task>& tasks,
       Entry entry{task.scene, &method, std::min(all, most), {}};
       entry.result.scene = task.scene->name;
       entry.result.method = method.name;
-      entry.result.family = method.family;
+      entry.result.family = method.group;
       entry.result.receivers = static_cast<int>(entry.receivers);
       entries.push_back(std::move(entry));
     }

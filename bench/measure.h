@@ -11,19 +11,10 @@
 #include "truelux/statistics.h"
 
 #include "methods.h"
+#include "report/quantile.h"
 #include "scenes.h"
 
 namespace truelux::bench {
-
-/// Processor time of the calling thread [s].
-[[nodiscard]] double ThreadSeconds();
-
-/// Time that has passed [s], from some fixed moment.
-[[nodiscard]] double WallSeconds();
-
-/// The middle one of an odd number of values, the mean of the middle two of an
-/// even number. values: not empty.
-[[nodiscard]] double Median(std::vector<double> values);
 
 /// What a method costs on a scene, and how far off it is.
 struct Measurement {

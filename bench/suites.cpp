@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "announce.h"
+#include "cli/announce.h"
 #include "methods.h"
 #include "scenes.h"
 #include "tables.h"
@@ -52,12 +52,12 @@ void AppendSampled(const BenchScene& scene, const Choice& choice,
   if (!ShadowRaysAvailable()) return;
   const auto rays = std::make_shared<const ShadowRays>(scene.scene);
   for (const int count : choice.samples) {
-    methods.push_back(
-        SampledMethod(scene, rays, SamplePattern::kSobol, count, seed));
+    methods.push_back(SampledContender(scene.scene, rays, SamplePattern::kSobol,
+                                       count, seed));
   }
   for (const int count : choice.stream_samples) {
-    methods.push_back(
-        SampledMethod(scene, rays, SamplePattern::kRowOrdered, count, seed));
+    methods.push_back(SampledContender(
+        scene.scene, rays, SamplePattern::kRowOrdered, count, seed));
   }
 }
 
@@ -68,7 +68,7 @@ Task MakeTask(const BenchScene& scene, const Choice& choice,
       {CertifiedMethod(scene), DoubleMethod(scene), UnfilteredMethod(scene)}};
   AppendSampled(scene, choice, options.seed, task.methods);
   for (const int rows : choice.rows)
-    task.methods.push_back(ScanlineMethod(scene, rows));
+    task.methods.push_back(ScanlineContender(scene.scene, rows));
   if (choice.arrangement &&
       scene.scene.triangles().size() <= kArrangementTriangles) {
     task.methods.push_back(

@@ -37,9 +37,10 @@ struct ContourVertex {
 };
 
 /// One arc of a visible contour: part of the great circle in the plane with
-/// normal `plane_normal`, run through so that the visible side is on the left
-/// for a viewer at the receiver looking out: (from x to) . plane_normal >= 0
-/// and plane_normal points to the visible side.
+/// normal `plane_normal`, run through so that the visible side is on the right
+/// for a viewer at the receiver looking out (counter-clockwise on an image plane
+/// seen from above): (from x to) . plane_normal >= 0 and plane_normal points to
+/// the visible side.
 struct ContourArc {
   int from = 0;  ///< index into VisibleContour::vertices
   int to = 0;

@@ -152,6 +152,13 @@ std::vector<SquarePoint> SquareSamples(SamplePattern pattern, int count,
     }
     return points;
   }
+  if (pattern == SamplePattern::kRandom) {
+    for (int i = 0; i < count; ++i) {
+      const double u = UnitNumber(engine);
+      points.push_back({u, UnitNumber(engine)});
+    }
+    return points;
+  }
   const auto side = static_cast<int>(std::lround(std::sqrt(count)));
   if (side * side != count)
     throw std::invalid_argument("the number of samples is no square");

@@ -15,8 +15,8 @@ namespace truelux {
 /// kSobol: the first points of Sobol's sequence with a random digital shift,
 /// in the sequence's order. kRowOrdered: one jittered point in each cell of a
 /// square grid, row by row, so that neighbours in the list are neighbours on
-/// the emitter.
-enum class SamplePattern { kSobol, kRowOrdered };
+/// the emitter. kRandom: points that know nothing of each other.
+enum class SamplePattern { kSobol, kRowOrdered, kRandom };
 
 /// A point of the unit square.
 using SquarePoint = std::array<double, 2>;

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "baselines/view_chart.h"
+#include "baselines/case_chart.h"
 
 namespace truelux {
 namespace {
@@ -36,7 +36,7 @@ double AnyAzimuth(CaseRandom& random) {
 /// A tilted outline of that width and height at an elevation [rad].
 Loop Place(CaseRandom& random, double elevation, double width, double height,
            double most_tilt) {
-  const ViewChart chart = ViewChart::Looking(AnyAzimuth(random), elevation);
+  const CaseChart chart = CaseChart::Looking(AnyAzimuth(random), elevation);
   const double distance = random.Uniform(0.5, 5);
   const double a = random.Uniform(-most_tilt, most_tilt);
   const double b = random.Uniform(-most_tilt, most_tilt);
@@ -107,7 +107,7 @@ Vector3 AnyDirection(CaseRandom& random) {
 }
 
 /// Any chart with that axis.
-ViewChart Around(const Vector3& axis) {
+CaseChart Around(const Vector3& axis) {
   const Vector3 other =
       std::abs(axis.x) < 0.6 ? Vector3{1, 0, 0} : Vector3{0, 1, 0};
   const Vector3 right = Unit(Cross(other, axis));
@@ -233,7 +233,7 @@ Loop SliverLoop(CaseRandom& random, double length, double width) {
 Loop LoopSeenFlat(CaseRandom& random, double distance) {
   while (true) {
     const double elevation = random.Uniform(0.5, 1.2);
-    const ViewChart chart = ViewChart::Looking(AnyAzimuth(random), elevation);
+    const CaseChart chart = CaseChart::Looking(AnyAzimuth(random), elevation);
     const double turn = random.Uniform(-1.2, 1.2);
     const double c = std::cos(turn);
     const double s = std::sin(turn);
@@ -297,13 +297,13 @@ Loop LoopBesideTheAxis(CaseRandom& random, double distance) {
 }
 
 RegimeCase FarCase(CaseRandom& random, double offset, double size) {
-  const ViewChart level = Around(AnyDirection(random));
+  const CaseChart level = Around(AnyDirection(random));
   const double azimuth = AnyAzimuth(random);
   const double elevation = random.Uniform(0.95, 1.4);
   const Point3 axis = level.At({std::cos(azimuth) / std::tan(elevation),
                                 std::sin(azimuth) / std::tan(elevation)},
                                std::sin(elevation));
-  const ViewChart chart = Around(Unit({axis.x, axis.y, axis.z}));
+  const CaseChart chart = Around(Unit({axis.x, axis.y, axis.z}));
   const auto coordinate = [&] {
     const double far = offset * random.Uniform(-1, 1);
     return far + random.Uniform(-1, 1);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "baselines/view_chart.h"
+#include "baselines/case_chart.h"
 
 namespace truelux {
 namespace {
@@ -105,9 +105,9 @@ class Shadows {
   }
 
  private:
-  static ViewChart AnyChart(CaseRandom& random) {
+  static CaseChart AnyChart(CaseRandom& random) {
     const double azimuth = random.Uniform(-kPi, kPi);
-    return ViewChart::Looking(azimuth, random.Uniform(0.8, 1.5));
+    return CaseChart::Looking(azimuth, random.Uniform(0.8, 1.5));
   }
 
   /// On a plane that meets the axis at that distance.
@@ -122,7 +122,7 @@ class Shadows {
   }
 
   CaseRandom& random_;
-  ViewChart chart_;
+  CaseChart chart_;
   double distance_;
   ChartTriangle source_;
   SceneBuilder builder_;

@@ -224,7 +224,7 @@ Rgb ShadowRays::Estimate(const Receiver& receiver,
   if (samples.points.empty()) return {};
   const FlushToZero mode;
   Shooter shooter(receiver, samples);
-  if (samples.pattern == SamplePattern::kSobol) {
+  if (samples.pattern != SamplePattern::kRowOrdered) {
     TraceOneByOne(impl_->scene, samples, shooter);
     return shooter.Mean();
   }

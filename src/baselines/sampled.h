@@ -33,9 +33,9 @@ class ShadowRays {
   ShadowRays& operator=(ShadowRays&&) noexcept;
 
   /// The mean over the samples of M V cos cos' / (pi d^2) times the emitters'
-  /// area: an estimate of E [W/m^2], Ke read as exitance. kSobol traces ray
-  /// by ray (rtcOccluded1), kRowOrdered in streams that are marked as coherent
-  /// (rtcOccluded1M); each is the faster one for its order. Samples behind the
+  /// area: an estimate of E [W/m^2], Ke read as exitance. kSobol and
+  /// kRandom trace ray by ray (rtcOccluded1), kRowOrdered in streams that are
+  /// marked as coherent (rtcOccluded1M); each is the faster one for its order. Samples behind the
   /// horizon or behind their emitter count as dark and cost no ray.
   [[nodiscard]] Rgb Estimate(const Receiver& receiver,
                              const EmitterSamples& samples) const;

@@ -106,7 +106,7 @@ class ActiveShadows {
 };
 
 /// Where the boundary of a source crosses a row, in order.
-void FindCrossings(const std::vector<std::array<ImagePoint, 2>>& boundary,
+void FindCrossings(const std::vector<std::array<ShadowPoint, 2>>& boundary,
                    double y, std::vector<double>& crossings) {
   crossings.clear();
   for (const auto& [a, b] : boundary) {
@@ -170,7 +170,7 @@ double ScanlineQuadrature::FormFactor(const Source& source,
   const Point3& r = receiver.position;
   const double h = Dot(source.n, Between(source.origin, r));
   if (!(h > 0)) return 0;
-  std::vector<ImagePoint> images;
+  std::vector<ShadowPoint> images;
   images.reserve(scene_.vertices().size());
   for (const Point3& p : scene_.vertices()) {
     const Vec d = Between(r, p);
@@ -182,10 +182,10 @@ double ScanlineQuadrature::FormFactor(const Source& source,
   };
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Window window{kFar, -kFar, kFar, -kFar};
-  std::vector<std::array<ImagePoint, 2>> boundary;
+  std::vector<std::array<ShadowPoint, 2>> boundary;
   for (const auto& edge : source.boundary) {
     boundary.push_back({image(edge[0]), image(edge[1])});
-    for (const ImagePoint& p : boundary.back()) {
+    for (const ShadowPoint& p : boundary.back()) {
       window.x_low = std::min(window.x_low, p.x);
       window.x_high = std::max(window.x_high, p.x);
       window.y_low = std::min(window.y_low, p.y);

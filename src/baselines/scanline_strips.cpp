@@ -12,18 +12,18 @@ constexpr double kCoplanar = 1 - 1e-12;
 
 /// A triangle cut by two planes has up to five corners.
 struct CutTriangle {
-  std::array<ImagePoint, 5> points;
+  std::array<ShadowPoint, 5> points;
   std::size_t size = 0;
 
-  void Add(const ImagePoint& p) { points[size++] = p; }
+  void Add(const ShadowPoint& p) { points[size++] = p; }
 };
 
 /// The part with sign * (s - level) >= 0.
 CutTriangle Cut(const CutTriangle& polygon, double sign, double level) {
   CutTriangle kept;
   for (std::size_t k = 0; k < polygon.size; ++k) {
-    const ImagePoint& a = polygon.points[k];
-    const ImagePoint& b = polygon.points[(k + 1) % polygon.size];
+    const ShadowPoint& a = polygon.points[k];
+    const ShadowPoint& b = polygon.points[(k + 1) % polygon.size];
     const double a_side = sign * (a.s - level);
     const double b_side = sign * (b.s - level);
     if (a_side >= 0) kept.Add(a);
@@ -37,11 +37,11 @@ CutTriangle Cut(const CutTriangle& polygon, double sign, double level) {
 
 /// Whether all corners are on one outer side of the window. y - c s is linear
 /// over the triangle, so that its sign at the corners holds for all points.
-bool Misses(const std::array<ImagePoint, 3>& triangle, const Window& window) {
+bool Misses(const std::array<ShadowPoint, 3>& triangle, const Window& window) {
   const auto all = [&triangle](auto outside) {
     return outside(triangle[0]) && outside(triangle[1]) && outside(triangle[2]);
   };
-  using P = const ImagePoint&;
+  using P = const ShadowPoint&;
   return all([&](P p) { return p.s > kCoplanar; }) ||
          all([&](P p) { return p.s < kNearest; }) ||
          all([&](P p) { return p.y >= window.y_high * p.s; }) ||
@@ -66,19 +66,19 @@ int Rows::FirstFrom(double y) const {
   return static_cast<int>(std::clamp(row, 0.0, static_cast<double>(count)));
 }
 
-void AppendShadow(const std::array<ImagePoint, 3>& triangle,
+void AppendShadow(const std::array<ShadowPoint, 3>& triangle,
                   const Window& window, const Rows& rows,
                   std::vector<Strip>& strips) {
   if (Misses(triangle, window)) return;
   CutTriangle polygon;
-  for (const ImagePoint& p : triangle)
+  for (const ShadowPoint& p : triangle)
     polygon.Add(p);
   polygon = Cut(Cut(polygon, 1, kNearest), -1, 1);
 
   std::array<Point2, 5> shadow;
   std::array<double, 5> levels{};
   for (std::size_t k = 0; k < polygon.size; ++k) {
-    const ImagePoint& p = polygon.points[k];
+    const ShadowPoint& p = polygon.points[k];
     shadow[k] = {p.x / p.s, p.y / p.s};
     levels[k] = shadow[k].y;
   }

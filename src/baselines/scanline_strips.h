@@ -11,7 +11,7 @@ namespace truelux {
 /// A point seen from the receiver r, in a frame of the source's plane: along
 /// the rows, across the rows, and the height above r as a fraction of the
 /// source's height. Its shadow on the source falls on (x / s, y / s).
-struct ImagePoint {
+struct ShadowPoint {
   double x = 0;
   double y = 0;
   double s = 0;
@@ -58,7 +58,7 @@ struct Window {
 /// plane (0 < s < 1), unless that certainly misses the window. Parts closer to r than kNearest of the source's height
 /// are dropped, and so are triangles that keep within 1e-12 of the source's
 /// plane: in double they cannot be told from coplanar ones.
-void AppendShadow(const std::array<ImagePoint, 3>& triangle,
+void AppendShadow(const std::array<ShadowPoint, 3>& triangle,
                   const Window& window, const Rows& rows,
                   std::vector<Strip>& strips);
 

@@ -1,12 +1,12 @@
 #include "baselines/stability_study.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
 #include "baselines/case_contour.h"
+#include "baselines/timing.h"
 #include "radiometry/formula_evaluation.h"
 #include "radiometry/weighted_contour.h"
 
@@ -29,14 +29,14 @@ static_assert(static_cast<std::size_t>(Formula::kCubature) + 1 ==
 
 /// What an arithmetic is called by its number type.
 template <class T>
-constexpr Arithmetic ArithmeticOf() {
-  if constexpr (std::is_same_v<T, float>) return Arithmetic::kFloat;
-  if constexpr (std::is_same_v<T, double>) return Arithmetic::kDouble;
-  if constexpr (kIsBall<T>) return Arithmetic::kBounded;
+constexpr StudyArithmetic ArithmeticOf() {
+  if constexpr (std::is_same_v<T, float>) return StudyArithmetic::kFloat;
+  if constexpr (std::is_same_v<T, double>) return StudyArithmetic::kDouble;
+  if constexpr (kIsBall<T>) return StudyArithmetic::kBounded;
   if constexpr (std::is_same_v<T, DoubleDouble>) {
-    return Arithmetic::kDoubleDouble;
+    return StudyArithmetic::kDoubleDouble;
   }
-  return Arithmetic::kMpfr128;
+  return StudyArithmetic::kMpfr128;
 }
 
 /// The sum over the lit sources of a contour.
@@ -53,18 +53,16 @@ PartialSum<T> SumOverSources(const FormulaEvaluation<T>& formulas,
   return sum;
 }
 
-/// Mean time of one call [ns], of as many as the clock needs.
+/// Processor time of one call [ns], of as many as the clock needs.
 template <class Function>
 double TimeOf(const Function& call) {
-  using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::duration<double, std::nano> kEnough(20000);
+  constexpr double kEnough = 20e-6;
   for (int repeats = 1;; repeats *= 2) {
-    const Clock::time_point start = Clock::now();
+    const double start = ThreadSeconds();
     for (int i = 0; i < repeats; ++i)
       call();
-    const std::chrono::duration<double, std::nano> elapsed =
-        Clock::now() - start;
-    if (elapsed >= kEnough) return elapsed.count() / repeats;
+    const double elapsed = ThreadSeconds() - start;
+    if (elapsed >= kEnough) return 1e9 * elapsed / repeats;
   }
 }
 
@@ -92,25 +90,25 @@ class Study {
     }
     result_.sources.push_back(static_cast<int>(exact.lit().size()));
     result_.arcs.push_back(static_cast<int>(contour.contour.arcs.size()));
-    for (const Arithmetic arithmetic : options_.arithmetics)
+    for (const StudyArithmetic arithmetic : options_.arithmetics)
       Measure(arithmetic, contour);
   }
 
   RegimeStability Take() { return std::move(result_); }
 
  private:
-  void Measure(Arithmetic arithmetic, const WeightedContour& contour) {
+  void Measure(StudyArithmetic arithmetic, const WeightedContour& contour) {
     switch (arithmetic) {
-      case Arithmetic::kFloat:
+      case StudyArithmetic::kFloat:
         return MeasureAll<float>(contour);
-      case Arithmetic::kDouble:
+      case StudyArithmetic::kDouble:
         return MeasureAll<double>(contour);
-      case Arithmetic::kBounded:
+      case StudyArithmetic::kBounded:
         MeasureAll<B>(contour);
         return MeasureAuto(contour);
-      case Arithmetic::kDoubleDouble:
+      case StudyArithmetic::kDoubleDouble:
         return MeasureAll<DoubleDouble>(contour);
-      case Arithmetic::kMpfr128:
+      case StudyArithmetic::kMpfr128:
         if (index_ < options_.slow_cases) MeasureAll<Multiprecision>(contour);
         return;
     }
@@ -146,7 +144,7 @@ class Study {
     query.method = Method::kDouble;
     const Irradiance answer = EvaluateWeighted(contour, query);
     AddBound({answer.value[0], answer.bound[0]}, Formula::kAuto);
-    result_.At(Arithmetic::kDouble, Formula::kAuto)
+    result_.At(StudyArithmetic::kDouble, Formula::kAuto)
         .errors.push_back(RelativeError(answer.value[0]));
   }
 
@@ -173,7 +171,7 @@ class Study {
   void AddBound(const B& ball, Formula formula) {
     const bool bounded = std::isfinite(ball.error);
     const double bound = bounded ? ball.error : kInfinity;
-    result_.At(Arithmetic::kBounded, formula)
+    result_.At(StudyArithmetic::kBounded, formula)
         .errors.push_back(bound / truth_.ToDouble());
     ++result_.bounds_checked;
     // A number without a bound promises nothing.
@@ -196,28 +194,20 @@ class Study {
 
 }  // namespace
 
-std::string_view Name(Arithmetic arithmetic) {
+std::string_view Name(StudyArithmetic arithmetic) {
   switch (arithmetic) {
-    case Arithmetic::kFloat:
+    case StudyArithmetic::kFloat:
       return "float";
-    case Arithmetic::kDouble:
+    case StudyArithmetic::kDouble:
       return "double";
-    case Arithmetic::kBounded:
+    case StudyArithmetic::kBounded:
       return "bounded double";
-    case Arithmetic::kDoubleDouble:
+    case StudyArithmetic::kDoubleDouble:
       return "double-double";
-    case Arithmetic::kMpfr128:
+    case StudyArithmetic::kMpfr128:
       return "MPFR 128";
   }
   return "";
-}
-
-double Median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle =
-      values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
 }
 
 double Largest(const std::vector<double>& values) {

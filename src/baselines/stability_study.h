@@ -20,14 +20,21 @@ namespace truelux {
 
 /// Where a formula is evaluated. kBounded is double with a running bound, as
 /// --method double computes it: what is measured there is the bound.
-enum class Arithmetic { kFloat, kDouble, kBounded, kDoubleDouble, kMpfr128 };
+enum class StudyArithmetic {
+  kFloat,
+  kDouble,
+  kBounded,
+  kDoubleDouble,
+  kMpfr128
+};
 
 inline constexpr std::array kArithmetics = {
-    Arithmetic::kFloat, Arithmetic::kDouble, Arithmetic::kBounded,
-    Arithmetic::kDoubleDouble, Arithmetic::kMpfr128};
+    StudyArithmetic::kFloat, StudyArithmetic::kDouble,
+    StudyArithmetic::kBounded, StudyArithmetic::kDoubleDouble,
+    StudyArithmetic::kMpfr128};
 
 /// "float", "double", "bounded double", "double-double", "MPFR 128".
-std::string_view Name(Arithmetic arithmetic);
+std::string_view Name(StudyArithmetic arithmetic);
 
 inline constexpr std::size_t kFormulaCount = 14;
 
@@ -38,8 +45,8 @@ struct StabilityOptions {
   int slow_cases = 100;
   /// On how many of the first cases evaluations are timed.
   int timed_cases = 20;
-  std::vector<Arithmetic> arithmetics = {kArithmetics.begin(),
-                                         kArithmetics.end()};
+  std::vector<StudyArithmetic> arithmetics = {kArithmetics.begin(),
+                                              kArithmetics.end()};
 };
 
 /// One formula in one arithmetic on the cases of a regime.
@@ -49,7 +56,7 @@ struct StabilityCell {
   /// there is no number. Cases to which the formula does not apply are left
   /// out.
   std::vector<double> errors;
-  /// For each timed case, the time of an evaluation [ns]: the sum only, with
+  /// For each timed case, the processor time of an evaluation [ns]: the sum only, with
   /// the coordinates of the contour ready at hand.
   std::vector<double> nanoseconds;
   int not_applicable = 0;  ///< number of cases
@@ -80,20 +87,17 @@ struct RegimeStability {
   std::int64_t bounds_checked = 0;
   std::vector<BoundViolation> violations;
 
-  [[nodiscard]] const StabilityCell& At(Arithmetic arithmetic,
+  [[nodiscard]] const StabilityCell& At(StudyArithmetic arithmetic,
                                         Formula formula) const {
     return cells[static_cast<std::size_t>(arithmetic)]
                 [static_cast<std::size_t>(formula)];
   }
 
-  StabilityCell& At(Arithmetic arithmetic, Formula formula) {
+  StabilityCell& At(StudyArithmetic arithmetic, Formula formula) {
     return cells[static_cast<std::size_t>(arithmetic)]
                 [static_cast<std::size_t>(formula)];
   }
 };
-
-/// 0 of nothing; the larger of the two in the middle.
-double Median(std::vector<double> values);
 
 /// 0 of nothing.
 double Largest(const std::vector<double>& values);

@@ -1,19 +1,19 @@
 #include "cli/cmd_stability.h"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
+#include <algorithm>
 #include <cstdint>
 #include <fmt/format.h>
-#include <string_view>
-#include <unistd.h>
+#include <utility>
 #include <vector>
 
 #include "baselines/regimes.h"
 #include "baselines/stability_study.h"
-#include "cli/file_id.h"
 #include "cli/interrupt.h"
 #include "cli/messages.h"
+#include "cli/option_values.h"
 #include "cli/output_file.h"
+#include "cli/output_paths.h"
 #include "cli/progress.h"
 #include "cli/stability_tables.h"
 
@@ -39,20 +39,8 @@ constexpr const char* kExamples =
     "  truelux stability --only 'conjunction missed' --csv near.csv\n"
     "  truelux stability --cases 1500 | grep '^Bounds checked'\n";
 
-constexpr int kMaxCases = 1000000;
-
-/// A whole number in [least, most].
-std::uint64_t ParseCount(const char* option, const std::string& text,
-                         std::uint64_t least, std::uint64_t most) {
-  std::uint64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end || value < least || value > most) {
-    throw UsageError(fmt::format("{}: '{}' is not a whole number from {} to {}",
-                                 option, text, least, most));
-  }
-  return value;
-}
+constexpr std::int64_t kMaxCases = 1000000;
+constexpr std::int64_t kMaxSeed = std::int64_t{1} << 53;
 
 std::vector<Regime> RegimesNamed(const std::string& only) {
   std::vector<Regime> regimes = Regimes();
@@ -68,15 +56,15 @@ std::vector<Regime> RegimesNamed(const std::string& only) {
   return regimes;
 }
 
-std::optional<OutputFile> OpenCsv(const std::optional<std::string>& path) {
-  if (!path) return std::nullopt;
-  if (path->empty()) throw UsageError("--csv: the file name is empty");
-  const std::optional<FileId> file = FileIdOf(*path);
-  const std::optional<FileId> standard_output = FileIdOf(STDOUT_FILENO);
-  if (*path == "-" || (file && standard_output && *file == *standard_output)) {
+/// A file beside the tables on standard output.
+std::optional<OutputFile> OpenCsv(const std::optional<std::string>& word) {
+  const std::string path = PathValue("--csv", word);
+  if (path.empty()) return std::nullopt;
+  if (path == "-") {
     throw UsageError("--csv: the tables are written to standard output");
   }
-  return std::optional<OutputFile>(std::in_place, *path);
+  CheckOutputs({{"the tables", ""}, {"--csv", path}});
+  return std::optional<OutputFile>(std::in_place, path);
 }
 
 }  // namespace
@@ -106,9 +94,10 @@ void AddStabilityCommand(CLI::App& app, StabilityArguments& arguments) {
 
 ExitStatus RunStability(const StabilityArguments& arguments) {
   StabilityOptions options;
-  options.cases =
-      static_cast<int>(ParseCount("--cases", arguments.cases, 1, kMaxCases));
-  options.seed = ParseCount("--seed", arguments.seed, 0, UINT64_MAX);
+  options.cases = static_cast<int>(
+      WholeNumberValue("--cases", arguments.cases, 1, kMaxCases));
+  options.seed = static_cast<std::uint64_t>(
+      WholeNumberValue("--seed", arguments.seed, 0, kMaxSeed));
   options.slow_cases = std::max(1, options.cases / 10);
   const std::vector<Regime> regimes = RegimesNamed(arguments.only);
   std::optional<OutputFile> csv = OpenCsv(arguments.csv);

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
 #include <string_view>
 #include <vector>
 
-#include "truelux/io.h"
-
 #include "cli/evaluation.h"
 #include "cli/messages.h"
+#include "cli/option_values.h"
 #include "report/receivers.h"
 #include "report/results.h"
 
@@ -31,25 +29,6 @@ void CheckCombination(const EvalArguments& arguments) {
   if (arguments.on_face && !arguments.at) {
     throw UsageError("--on-face belongs to --at; a table has a column on_face");
   }
-}
-
-/// The value of an option or argument that names a file, "" if not given.
-std::string Path(const char* name, const std::optional<std::string>& word) {
-  if (word && word->empty()) {
-    throw UsageError(fmt::format("{}: the file name is empty", name));
-  }
-  return word.value_or("");
-}
-
-int ParseThreads(const std::string& text) {
-  const std::optional<double> threads = ParseNumber(text);
-  if (!threads || *threads < 1 || *threads > kMaxThreads ||
-      *threads != std::floor(*threads)) {
-    throw UsageError(
-        fmt::format("--threads: '{}' is not a whole number from 1 to {}", text,
-                    kMaxThreads));
-  }
-  return static_cast<int>(*threads);
 }
 
 /// Puts the three texts between the commas of an option's value into `texts`.
@@ -93,14 +72,15 @@ std::string TableOfOne(const EvalArguments& arguments) {
 EvalRequest ParseEvalRequest(const EvalArguments& arguments) {
   CheckCombination(arguments);
   EvalRequest request;
-  request.scene = Path("SCENE.obj", arguments.scene);
-  request.receivers = Path("RECEIVERS.csv", arguments.receivers);
-  request.output = Path("--output", arguments.output);
-  request.stats = Path("--stats", arguments.stats);
+  request.scene = PathValue("SCENE.obj", arguments.scene);
+  request.receivers = PathValue("RECEIVERS.csv", arguments.receivers);
+  request.output = PathValue("--output", arguments.output);
+  request.stats = PathValue("--stats", arguments.stats);
   if (request.output == "-") request.output.clear();
   if (arguments.at) request.table = TableOfOne(arguments);
   request.on_face = arguments.on_face.value_or("");
-  request.threads = ParseThreads(arguments.threads);
+  request.threads = static_cast<int>(
+      WholeNumberValue("--threads", arguments.threads, 1, kMaxThreads));
   // The parser of the command line has refused all other words.
   for (const Engine engine : {Engine::kArrangement, Engine::kAngularSpans}) {
     if (arguments.engine == Name(engine)) request.options.engine = engine;

@@ -8,6 +8,7 @@
 #include <string>
 #include <unistd.h>
 
+#include "cli/cmd_bench.h"
 #include "cli/cmd_eval.h"
 #include "cli/cmd_stability.h"
 #include "cli/exit_status.h"
@@ -64,10 +65,13 @@ ExitStatus Run(int argc, char** argv) {
              kExitStatusHelp);
   EvalArguments eval;
   AddEvalCommand(app, eval);
+  BenchArguments bench;
+  AddBenchCommand(app, bench);
   StabilityArguments stability;
   AddStabilityCommand(app, stability);
   try {
     app.parse(argc, argv);
+    if (app.got_subcommand("bench")) return RunBench(bench);
     if (app.got_subcommand("stability")) return RunStability(stability);
     return RunEval(eval);
   } catch (const CLI::CallForHelp&) {

@@ -19,8 +19,9 @@ namespace truelux {
 std::string ProgressText(std::uint64_t done, std::optional<std::uint64_t> total,
                          double seconds, std::string_view things = "receivers");
 
-/// Counts receivers, or other things, and, if standard error is a terminal and the run takes
-/// longer than two seconds, shows a line there until it is destroyed.
+/// Counts receivers, or other things, and, if standard error is a terminal and
+/// the run takes longer than two seconds, shows a line there until it is
+/// destroyed.
 class Progress {
  public:
   /// total: number of receivers, if known.

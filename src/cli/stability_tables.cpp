@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "report/quantile.h"
+
 namespace truelux {
 namespace {
 
@@ -24,8 +26,10 @@ std::string CellText(const StabilityCell& cell) {
   return text;
 }
 
-double MedianOf(const std::vector<int>& counts) {
-  return Median({counts.begin(), counts.end()});
+/// 0 of nothing.
+template <class Number>
+double MedianOf(const std::vector<Number>& values) {
+  return values.empty() ? 0 : Median({values.begin(), values.end()});
 }
 
 std::string Row(const std::vector<std::string>& fields) {
@@ -41,25 +45,25 @@ std::string Header(const std::vector<std::string>& fields) {
 
 /// Whether a formula was measured in an arithmetic at all.
 bool IsMeasured(const std::vector<RegimeStability>& results,
-                Arithmetic arithmetic, Formula formula) {
+                StudyArithmetic arithmetic, Formula formula) {
   return std::ranges::any_of(results, [&](const RegimeStability& result) {
     const StabilityCell& cell = result.At(arithmetic, formula);
     return !cell.errors.empty() || cell.not_applicable > 0;
   });
 }
 
-std::string Explanation(Arithmetic arithmetic,
+std::string Explanation(StudyArithmetic arithmetic,
                         const StabilityOptions& options) {
   switch (arithmetic) {
-    case Arithmetic::kFloat:
-    case Arithmetic::kDouble:
+    case StudyArithmetic::kFloat:
+    case StudyArithmetic::kDouble:
       return "Relative error, median / largest.";
-    case Arithmetic::kBounded:
+    case StudyArithmetic::kBounded:
       return "Proven bound of --method double, relative to the true value, "
              "median / largest.";
-    case Arithmetic::kDoubleDouble:
+    case StudyArithmetic::kDoubleDouble:
       return "Relative error of the sum rounded to double, median / largest.";
-    case Arithmetic::kMpfr128:
+    case StudyArithmetic::kMpfr128:
       return fmt::format(
           "Relative error of the sum rounded to double, median / largest, the "
           "first {} cases.",
@@ -68,7 +72,8 @@ std::string Explanation(Arithmetic arithmetic,
   return "";
 }
 
-std::string ErrorTable(Arithmetic arithmetic, const StabilityOptions& options,
+std::string ErrorTable(StudyArithmetic arithmetic,
+                       const StabilityOptions& options,
                        const std::vector<RegimeStability>& results) {
   std::vector<Formula> formulas;
   std::vector<std::string> names = {"regime", "sources, arcs"};
@@ -82,7 +87,7 @@ std::string ErrorTable(Arithmetic arithmetic, const StabilityOptions& options,
   text += Header(names);
   for (const RegimeStability& result : results) {
     std::vector<std::string> fields = {
-        result.regime, fmt::format("{:.0f}, {:.0f}", MedianOf(result.sources),
+        result.regime, fmt::format("{:g}, {:g}", MedianOf(result.sources),
                                    MedianOf(result.arcs))};
     for (const Formula formula : formulas) {
       fields.push_back(CellText(result.At(arithmetic, formula)));
@@ -94,31 +99,33 @@ std::string ErrorTable(Arithmetic arithmetic, const StabilityOptions& options,
 
 /// Median time over all regimes [ns]; 0 if it was not measured.
 double TimeOver(const std::vector<RegimeStability>& results,
-                Arithmetic arithmetic, Formula formula) {
+                StudyArithmetic arithmetic, Formula formula) {
   std::vector<double> times;
   for (const RegimeStability& result : results) {
     const auto& own = result.At(arithmetic, formula).nanoseconds;
     times.insert(times.end(), own.begin(), own.end());
   }
-  return Median(std::move(times));
+  return MedianOf(times);
 }
 
 std::string TimeTable(const StabilityOptions& options,
                       const std::vector<RegimeStability>& results) {
   std::vector<std::string> names = {"formula"};
-  for (const Arithmetic arithmetic : options.arithmetics) {
+  for (const StudyArithmetic arithmetic : options.arithmetics) {
     names.emplace_back(Name(arithmetic));
   }
   std::string text =
-      "\n## Time\n\nOf one evaluation [ns], the sum only, median over all "
-      "regimes; in parentheses as a\nmultiple of lambert-edge in double.\n\n";
+      "\n## Time\n\nProcessor time of one evaluation [ns], the sum only, "
+      "median "
+      "over all regimes; in parentheses\nas a multiple of lambert-edge in "
+      "double.\n\n";
   text += Header(names);
   const double unit =
-      TimeOver(results, Arithmetic::kDouble, Formula::kLambertEdge);
+      TimeOver(results, StudyArithmetic::kDouble, Formula::kLambertEdge);
   for (const Formula formula : AllFormulas()) {
     if (formula == Formula::kAuto) continue;
     std::vector<std::string> fields = {std::string(Name(formula))};
-    for (const Arithmetic arithmetic : options.arithmetics) {
+    for (const StudyArithmetic arithmetic : options.arithmetics) {
       const double time = TimeOver(results, arithmetic, formula);
       fields.push_back(time == 0 ? "-"
                        : unit == 0
@@ -160,7 +167,7 @@ std::string StabilityMarkdown(const StabilityOptions& options,
       "400 bits. -: the formula does not apply; (n): it\napplies to n cases. "
       "Cases of which nothing is visible, left out: {}.\n",
       results.size(), options.cases, options.seed, dark);
-  for (const Arithmetic arithmetic : options.arithmetics) {
+  for (const StudyArithmetic arithmetic : options.arithmetics) {
     text += ErrorTable(arithmetic, options, results);
   }
   return text + TimeTable(options, results) + BoundsText(results);
@@ -171,16 +178,17 @@ std::string StabilityCsv(const std::vector<RegimeStability>& results) {
       "regime,occluded,arithmetic,formula,cases,not_applicable,median,max,"
       "median_ns,median_sources,median_arcs\n";
   for (const RegimeStability& result : results) {
-    for (const Arithmetic arithmetic : kArithmetics) {
+    for (const StudyArithmetic arithmetic : kArithmetics) {
       for (const Formula formula : AllFormulas()) {
         const StabilityCell& cell = result.At(arithmetic, formula);
         if (cell.errors.empty()) continue;
-        fmt::format_to(
-            std::back_inserter(text), "{},{},{},{},{},{},{},{},{:.1f},{},{}\n",
-            result.regime, result.occluded ? 1 : 0, Name(arithmetic),
-            Name(formula), cell.errors.size(), cell.not_applicable,
-            Median(cell.errors), Largest(cell.errors), Median(cell.nanoseconds),
-            MedianOf(result.sources), MedianOf(result.arcs));
+        fmt::format_to(std::back_inserter(text),
+                       "{},{},{},{},{},{},{},{},{:.1f},{},{}\n", result.regime,
+                       result.occluded ? 1 : 0, Name(arithmetic), Name(formula),
+                       cell.errors.size(), cell.not_applicable,
+                       Median(cell.errors), Largest(cell.errors),
+                       MedianOf(cell.nanoseconds), MedianOf(result.sources),
+                       MedianOf(result.arcs));
       }
     }
   }

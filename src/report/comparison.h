@@ -21,6 +21,9 @@ struct MethodResult {
   /// One entry per receiver of the comparison; nothing: the method does not
   /// apply there.
   std::vector<std::optional<Rgb>> values;
+  /// Of the receivers without a value: on so many it was not tried, for want of
+  /// time.
+  std::size_t left_out = 0;
   std::string note;  ///< what is particular: "not on all receivers", ...
 };
 

@@ -61,7 +61,7 @@ class ViewChart {
   [[nodiscard]] ImagePoint ImageFromWorld(const WorldPoint& point) const;
 
   /// A positive multiple of the direction. A turn to the left in the image is
-  /// one to the left for a viewer at r: det is kept up to a positive factor.
+  /// one to the right for a viewer at r: det is kept up to a positive factor.
   [[nodiscard]] Vec3<Exact> WorldFromImage(
       const ImageDirection& direction) const;
 

@@ -22,8 +22,10 @@ using testing::kBlack;
 using testing::kLamp;
 using testing::MakeScene;
 
-constexpr SamplePattern kPatterns[] = {SamplePattern::kSobol,
-                                       SamplePattern::kRowOrdered};
+constexpr SamplePattern kStratified[] = {SamplePattern::kSobol,
+                                         SamplePattern::kRowOrdered};
+constexpr SamplePattern kPatterns[] = {
+    SamplePattern::kSobol, SamplePattern::kRowOrdered, SamplePattern::kRandom};
 
 /// Which of columns * rows cells each point lies in.
 std::vector<std::pair<int, int>> Cells(const std::vector<SquarePoint>& points,
@@ -38,7 +40,7 @@ std::vector<std::pair<int, int>> Cells(const std::vector<SquarePoint>& points,
 }
 
 TEST(SquareSamples, EveryCellOfTheSquareHasOnePoint) {
-  for (const SamplePattern pattern : kPatterns) {
+  for (const SamplePattern pattern : kStratified) {
     const auto cells = Cells(SquareSamples(pattern, 256, 5), 16, 16);
     EXPECT_EQ(std::set(cells.begin(), cells.end()).size(), 256U);
   }
@@ -62,6 +64,20 @@ TEST(SquareSamples, RowByRow) {
             expected);
   EXPECT_THROW(SquareSamples(SamplePattern::kRowOrdered, 65, 1),
                std::invalid_argument);
+}
+
+TEST(SquareSamples, RandomPointsFillTheSquareUnevenly) {
+  const auto points = SquareSamples(SamplePattern::kRandom, 4096, 9);
+  ASSERT_EQ(points.size(), 4096U);
+  const auto quarters = Cells(points, 2, 2);
+  for (const auto& [column, row] : std::set(quarters.begin(), quarters.end())) {
+    const auto in_cell = std::ranges::count(quarters, std::pair(column, row));
+    EXPECT_NEAR(static_cast<double>(in_cell), 1024, 5 * 28);
+  }
+  // Of 4096 cells a share of about exp(-1) stays empty.
+  const auto cells = Cells(points, 64, 64);
+  EXPECT_NEAR(static_cast<double>(std::set(cells.begin(), cells.end()).size()),
+              4096 * (1 - std::exp(-1.0)), 200);
 }
 
 TEST(EmitterSamples, InProportionToArea) {

@@ -1,7 +1,7 @@
 // Points placed by where a receiver sees them.
 
-#ifndef TRUELUX_BASELINES_VIEW_CHART_H_
-#define TRUELUX_BASELINES_VIEW_CHART_H_
+#ifndef TRUELUX_BASELINES_CASE_CHART_H_
+#define TRUELUX_BASELINES_CASE_CHART_H_
 
 #include <cmath>
 
@@ -18,14 +18,14 @@ struct ChartPoint {
 /// The plane at distance 1 in front of a viewer at the origin, with
 /// right-handed axes (right, up, axis): clockwise in (x, y) is
 /// counter-clockwise seen from the origin.
-struct ViewChart {
+struct CaseChart {
   Vector3 axis;
   Vector3 right;
   Vector3 up;
 
   /// The axis at that azimuth and elevation [rad] above z = 0; right is
   /// horizontal.
-  static ViewChart Looking(double azimuth, double elevation) {
+  static CaseChart Looking(double azimuth, double elevation) {
     const double ca = std::cos(azimuth);
     const double sa = std::sin(azimuth);
     const double ce = std::cos(elevation);
@@ -43,4 +43,4 @@ struct ViewChart {
 
 }  // namespace truelux
 
-#endif  // TRUELUX_BASELINES_VIEW_CHART_H_
+#endif  // TRUELUX_BASELINES_CASE_CHART_H_

@@ -1,5 +1,6 @@
-#include "cli/eval_paths.h"
+#include "cli/output_paths.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file of the request: how to call it, and which it is.
+/// A file of the command line: how to call it, and which it is.
 struct NamedFile {
   std::string name;
   std::optional<FileId> id;
@@ -26,18 +27,9 @@ NamedFile Input(const std::string& path) {
   return {path, FileIdOf(path)};
 }
 
-/// Where the table goes and, if there is one, the file of --stats.
-std::vector<NamedFile> Outputs(const EvalRequest& request) {
-  std::vector<NamedFile> outputs;
-  if (request.output.empty()) {
-    outputs.push_back({"<stdout>", FileIdOf(STDOUT_FILENO)});
-  } else {
-    outputs.push_back({request.output, FileIdOf(request.output)});
-  }
-  if (!request.stats.empty()) {
-    outputs.push_back({request.stats, FileIdOf(request.stats)});
-  }
-  return outputs;
+NamedFile Output(const OutputPath& output) {
+  if (output.path.empty()) return {"<stdout>", FileIdOf(STDOUT_FILENO)};
+  return {output.path, FileIdOf(output.path)};
 }
 
 /// A terminal or /dev/null may serve several streams at once.
@@ -54,11 +46,20 @@ bool IsSameNewFile(const std::string& a, const std::string& b) {
   return !error && first == second;
 }
 
+/// Whether two outputs would end in one place.
+bool Collide(const OutputPath& a, const OutputPath& b) {
+  const NamedFile first = Output(a);
+  const NamedFile second = Output(b);
+  if (IsSameFile(first, second)) return true;
+  return !first.id && !second.id && IsSameNewFile(a.path, b.path);
+}
+
 }  // namespace
 
-void CheckInput(const EvalRequest& request, const std::string& path) {
+void CheckInput(const OutputPaths& outputs, const std::string& path) {
   const NamedFile input = Input(path);
-  for (const NamedFile& output : Outputs(request)) {
+  for (const OutputPath& entry : outputs) {
+    const NamedFile output = Output(entry);
     // A pipe or socket may well be both ends of a conversation.
     if (IsSameFile(output, input) && output.id->IsRegular()) {
       throw UserError("the output " + output.name + " is also the input " +
@@ -67,14 +68,13 @@ void CheckInput(const EvalRequest& request, const std::string& path) {
   }
 }
 
-void CheckOutputs(const EvalRequest& request) {
-  if (request.stats.empty()) return;
-  const std::vector<NamedFile> outputs = Outputs(request);
-  const bool both_new = !outputs[0].id && !outputs[1].id;
-  if (IsSameFile(outputs[0], outputs[1]) ||
-      (both_new && IsSameNewFile(request.output, request.stats))) {
-    throw UserError("--stats and --output are the same file: " +
-                    outputs[1].name);
+void CheckOutputs(const OutputPaths& outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!Collide(outputs[k], outputs[i])) continue;
+      throw UserError(outputs[i].option + " and " + outputs[k].option +
+                      " are the same file: " + Output(outputs[i]).name);
+    }
   }
 }
 

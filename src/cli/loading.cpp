@@ -1,0 +1,94 @@
+#include "cli/loading.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <utility>
+
+#include "cli/input_file.h"
+#include "cli/interrupt.h"
+#include "cli/messages.h"
+#include "report/receivers.h"
+#include "scene/diagnostic_list.h"
+#include "scene/read_scene.h"
+#include "scene/text_file.h"
+
+namespace truelux {
+namespace {
+
+/// The likeliest reason for zeros everywhere deserves a word.
+void NoteDarkness(const Scene& scene, const std::string& name) {
+  const auto emits = [](const Face& face) {
+    return std::ranges::any_of(face.emission, [](double m) { return m > 0; });
+  };
+  if (scene.faces().empty() || std::ranges::any_of(scene.faces(), emits)) {
+    return;
+  }
+  Print({{Severity::kNote, name, 0,
+          "no face emits: none has a material with Ke above 0"}});
+}
+
+/// Reads a whole table, row by row. Throws UserError with all defects
+/// together.
+void ReadTable(ByteSource& source, const std::string& name, int face_count,
+               const std::function<void(const Receiver&)>& take) {
+  ReceiverReader reader(source, name, face_count);
+  DiagnosticList all_defects(name);
+  std::vector<Diagnostic> defects;
+  auto status = reader.ReadHeader(defects) ? ReceiverReader::Status::kRow
+                                           : ReceiverReader::Status::kEnd;
+  ReceiverRow row;
+  for (;;) {
+    for (Diagnostic& defect : defects)
+      all_defects.Add(std::move(defect));
+    defects.clear();
+    if (status == ReceiverReader::Status::kEnd) break;
+    status = reader.Next(row, defects);
+    if (status == ReceiverReader::Status::kRow) take(row.receiver);
+  }
+  if (all_defects.has_errors()) throw UserError(all_defects.Sorted());
+}
+
+}  // namespace
+
+Scene LoadScene(const std::string& path, const OutputPaths& outputs) {
+  // Which MTL files are inputs is known only when the OBJ is read.
+  const FileOpener open = [&outputs](const std::filesystem::path& input) {
+    CheckInput(outputs, input.string());
+    return ReadTextFile(input);
+  };
+  Result<Scene> scene = ReadSceneWith(open, path);
+  StopIfInterrupted();
+  if (!scene.ok()) throw UserError(std::move(scene.diagnostics));
+  Print(scene.diagnostics);
+  NoteDarkness(*scene.value, path);
+  return std::move(*scene.value);
+}
+
+ReceiverInput OpenReceivers(const std::string& path, const OutputPaths& outputs,
+                            int face_count) {
+  CheckInput(outputs, path);
+  auto file = std::make_unique<InputFile>(path);
+  const std::string name = file->name();
+  std::optional<std::uint64_t> total;
+  if (file->CanRewind()) {
+    total = 0;
+    ReadTable(*file, name, face_count,
+              [&total](const Receiver& /*receiver*/) { ++*total; });
+    file->Rewind();
+  }
+  return {std::move(file), name, total};
+}
+
+std::vector<Receiver> LoadReceivers(const std::string& path,
+                                    const OutputPaths& outputs,
+                                    int face_count) {
+  CheckInput(outputs, path);
+  InputFile file(path);
+  std::vector<Receiver> receivers;
+  ReadTable(file, file.name(), face_count,
+            [&receivers](const Receiver& r) { receivers.push_back(r); });
+  return receivers;
+}
+
+}  // namespace truelux

@@ -1,0 +1,43 @@
+// Scenes and receivers for a command, with everything that is wrong with them.
+
+#ifndef TRUELUX_CLI_LOADING_H_
+#define TRUELUX_CLI_LOADING_H_
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "truelux/receiver.h"
+#include "truelux/scene.h"
+
+#include "cli/output_paths.h"
+#include "report/byte_source.h"
+
+namespace truelux {
+
+/// Reads an OBJ and its MTL files and prints the notes about them. Throws
+/// UserError with all defects, or if a file that is read is an output.
+Scene LoadScene(const std::string& path, const OutputPaths& outputs);
+
+/// A table of receivers, ready to be read from its start.
+struct ReceiverInput {
+  std::unique_ptr<ByteSource> source;
+  std::string name;                    ///< for messages; "": the command line
+  std::optional<std::uint64_t> total;  ///< number of rows, if known
+};
+
+/// Opens a table ("-" is standard input) and, if it can be read twice, checks
+/// it whole. Throws UserError with all defects found, or if it is an output.
+ReceiverInput OpenReceivers(const std::string& path, const OutputPaths& outputs,
+                            int face_count);
+
+/// The receivers of a whole table. Throws UserError with all defects, or if
+/// the table is an output, and Interruption.
+std::vector<Receiver> LoadReceivers(const std::string& path,
+                                    const OutputPaths& outputs, int face_count);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_CLI_LOADING_H_

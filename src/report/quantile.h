@@ -1,0 +1,20 @@
+// The middle and the upper end of a set of numbers.
+
+#ifndef TRUELUX_REPORT_QUANTILE_H_
+#define TRUELUX_REPORT_QUANTILE_H_
+
+#include <vector>
+
+namespace truelux {
+
+/// The middle one of an odd number of values, the mean of the middle two of an
+/// even number. values: not empty, none not a number.
+[[nodiscard]] double Median(std::vector<double> values);
+
+/// The least value that a share of `share` of the values does not exceed.
+/// values: not empty, none not a number; 0 < share <= 1.
+[[nodiscard]] double Quantile(std::vector<double> values, double share);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_REPORT_QUANTILE_H_

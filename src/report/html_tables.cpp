@@ -106,7 +106,7 @@ std::string MethodRow(const ReportView& view, std::size_t m) {
 /// A value with the digits from the first one that differs from the truth set
 /// apart.
 std::string ComparedNumber(double value, double truth) {
-  const std::string text = Number(value);
+  std::string text = Number(value);
   const std::string other = Number(truth);
   std::size_t common = 0;
   while (common < text.size() && common < other.size() &&

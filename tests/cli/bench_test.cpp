@@ -23,7 +23,7 @@ class Bench : public ::testing::Test {
                             const Surroundings& around = {}) const {
     more.insert(more.begin(), {"bench", scene_, table_, "--quick"});
     if (std::ranges::find(more, "--seconds") == more.end())
-      more.insert(more.end(), {"--seconds", "0.05"});
+      more.insert(more.end(), {"--seconds", "2"});
     return RunTruelux(more, around);
   }
 

@@ -42,6 +42,17 @@ enum class Formula {
 /// Nothing if there is no formula of this name.
 [[nodiscard]] std::optional<Formula> FormulaByName(std::string_view name);
 
+/// The number types in which formulas can be compared.
+enum class Arithmetic {
+  kFloat,           ///< "float": binary32
+  kDouble,          ///< "double": binary64
+  kDoubleDouble,    ///< "double-double": about 106 bits
+  kMultiprecision,  ///< "MPFR": any precision
+};
+
+/// The name in reports.
+[[nodiscard]] std::string_view Name(Arithmetic arithmetic);
+
 }  // namespace truelux
 
 #endif  // TRUELUX_FORMULAS_H_

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -84,6 +85,17 @@ class Oracle {
   void Evaluate(
       std::span<const Receiver> receivers,
       const std::function<void(std::size_t, const Irradiance&)>& take) const;
+
+  /// E [W/m^2] by one formula in one arithmetic on the exact visible contour,
+  /// to see what they lose: without a bound, rounded to binary64 at the end.
+  /// What kImagePlane and kDirections cut off is missing. precision [bits]: of
+  /// kMultiprecision. Nothing where the formula does not apply (kSeries,
+  /// kCubature). Requires a receiver as Evaluate does, a formula that is not
+  /// kAuto and a precision of at least 53 (std::invalid_argument otherwise).
+  [[nodiscard]] std::optional<Rgb> EvaluateFormula(const Receiver& receiver,
+                                                   Formula formula,
+                                                   Arithmetic arithmetic,
+                                                   int precision = 128) const;
 
   /// The form factor of one face [1]: E with that face's M = 1 and the
   /// others' 0, all faces blocking as ever. face: its number, from 1.

@@ -1,13 +1,12 @@
 #include "baselines/formula_contender.h"
 
-#include <array>
 #include <fmt/format.h>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "baselines/timing.h"
-#include "radiometry/formula_evaluation.h"
+#include "radiometry/formula_sum.h"
 #include "visibility/contour_engine.h"
 
 namespace truelux {
@@ -44,21 +43,6 @@ void FindContours(State& state, std::span<const Receiver> receivers,
 }
 
 template <class T>
-std::optional<Rgb> SumOver(const FormulaEvaluation<T>& formulas,
-                           Formula formula, const SeenSources& seen) {
-  std::array<T, 3> value = {Make<T>(0), Make<T>(0), Make<T>(0)};
-  for (std::size_t i = 0; i < formulas.lit().size(); ++i) {
-    const PartialSum<T> sum = formulas.Evaluate(formula, i);
-    if (!sum.applicable) return std::nullopt;
-    const Rgb& weight =
-        seen.weights[static_cast<std::size_t>(formulas.lit()[i])];
-    for (std::size_t channel = 0; channel < 3; ++channel)
-      value[channel] = value[channel] + Make<T>(weight[channel]) * sum.value;
-  }
-  return Rgb{Leading(value[0]), Leading(value[1]), Leading(value[2])};
-}
-
-template <class T>
 Contender MakeContender(const Scene& scene, Formula formula) {
   const auto state = std::make_shared<State>(scene);
   const auto not_counted = std::make_shared<double>(0);
@@ -78,7 +62,8 @@ Contender MakeContender(const Scene& scene, Formula formula) {
     *not_counted += ThreadSeconds() - start;
     std::vector<std::optional<Irradiance>> results(receivers.size());
     for (std::size_t i = 0; i < seen.size(); ++i) {
-      const std::optional<Rgb> value = SumOver(*formulas[i], formula, seen[i]);
+      const std::optional<Rgb> value =
+          SumByFormula(*formulas[i], formula, seen[i].weights);
       if (value) results[i].emplace().value = *value;
     }
     return results;
@@ -87,20 +72,6 @@ Contender MakeContender(const Scene& scene, Formula formula) {
 }
 
 }  // namespace
-
-std::string_view Name(Arithmetic arithmetic) {
-  switch (arithmetic) {
-    case Arithmetic::kFloat:
-      return "float";
-    case Arithmetic::kDouble:
-      return "double";
-    case Arithmetic::kDoubleDouble:
-      return "double-double";
-    case Arithmetic::kMultiprecision:
-      break;
-  }
-  return "MPFR";
-}
 
 Contender FormulaContender(const Scene& scene, Formula formula,
                            Arithmetic arithmetic) {

@@ -3,20 +3,12 @@
 #ifndef TRUELUX_BASELINES_FORMULA_CONTENDER_H_
 #define TRUELUX_BASELINES_FORMULA_CONTENDER_H_
 
-#include <string_view>
-
 #include "truelux/formulas.h"
 #include "truelux/scene.h"
 
 #include "baselines/contender.h"
 
 namespace truelux {
-
-/// The number types in which formulas are compared.
-enum class Arithmetic { kFloat, kDouble, kDoubleDouble, kMultiprecision };
-
-/// "float", "double", "double-double", "MPFR".
-[[nodiscard]] std::string_view Name(Arithmetic arithmetic);
 
 /// A formula, but kAuto, on the visible contour of the default engine, in an
 /// arithmetic, the sum over the sources as well; MPFR has 128 bits.

@@ -42,6 +42,20 @@ std::string_view Name(Formula formula) {
   return std::ranges::find(kNames, formula, &NamedFormula::first)->second;
 }
 
+std::string_view Name(Arithmetic arithmetic) {
+  switch (arithmetic) {
+    case Arithmetic::kFloat:
+      return "float";
+    case Arithmetic::kDouble:
+      return "double";
+    case Arithmetic::kDoubleDouble:
+      return "double-double";
+    case Arithmetic::kMultiprecision:
+      break;
+  }
+  return "MPFR";
+}
+
 std::optional<Formula> FormulaByName(std::string_view name) {
   const auto* found = std::ranges::find(kNames, name, &NamedFormula::second);
   if (found == kNames.end()) return std::nullopt;

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numbers>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -13,6 +15,7 @@
 #include "exact/pool.h"
 #include "radiometry/evaluate.h"
 #include "radiometry/evaluation_workspace.h"
+#include "radiometry/formula_sum.h"
 #include "radiometry/span_sum.h"
 #include "visibility/angular_spans.h"
 #include "visibility/arrangement_engine.h"
@@ -151,6 +154,43 @@ Irradiance Oracle::Evaluate(const Receiver& receiver) const {
              irradiance = result;
            });
   return irradiance;
+}
+
+std::optional<Rgb> Oracle::EvaluateFormula(const Receiver& receiver,
+                                           Formula formula,
+                                           Arithmetic arithmetic,
+                                           int precision) const {
+  RequireReceiver(receiver, scene_);
+  if (formula == Formula::kAuto) {
+    throw std::invalid_argument("auto is no formula of its own");
+  }
+  if (precision < 53) {
+    throw std::invalid_argument("the precision is less than 53 bits");
+  }
+  const ContourQuery query{scene_, receiver, 0};
+  const auto workspace = prepared_->Borrow();
+  workspace->builder.StartBlock({});  // whatever it was used for before
+  BuildContour(query, options_.engine, *workspace);
+  const truelux::Contour& contour = workspace->contour;
+  std::vector<Rgb> weights;
+  for (const SourceArcs& source : contour.sources)
+    weights.push_back(WeightOf(query, source.facet));
+  const auto sum = [&]<class T>(T /*number type*/) {
+    FormulaEvaluation<T> formulas({ViewOf(query), contour, weights},
+                                  options_.half_side, precision);
+    formulas.Prepare(formula);
+    return SumByFormula(formulas, formula, weights);
+  };
+  std::optional<Rgb> value;
+  if (arithmetic == Arithmetic::kFloat) value = sum(0.0F);
+  if (arithmetic == Arithmetic::kDouble) value = sum(0.0);
+  if (arithmetic == Arithmetic::kDoubleDouble) value = sum(DoubleDouble{});
+  if (arithmetic == Arithmetic::kMultiprecision) value = sum(Multiprecision{});
+  if (value && options_.emission == Emission::kRadiance) {
+    for (double& channel : *value)
+      channel *= std::numbers::pi;
+  }
+  return value;
 }
 
 Irradiance Oracle::FormFactor(const Receiver& receiver, int face) const {

@@ -16,7 +16,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 double Distance(double value, double truth) {
   if (value == truth) return 0;
   const double distance = std::abs(value - truth);
-  return std::isnan(distance) ? kInfinity : distance;
+  if (std::isnan(distance)) return kInfinity;
+  return distance;
 }
 
 /// distance / truth for truth > 0; the truth itself may be infinite.

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kStyle = R"(
 html { background: #ffffff; color: #222222; }
 body { font: 15px/1.5 "Helvetica Neue", Helvetica, Arial, "Liberation Sans",
-  sans-serif; max-width: 1080px; margin: 2.5rem auto; padding: 0 1.25rem; }
+  sans-serif; max-width: 1140px; margin: 2.5rem auto; padding: 0 1.25rem; }
 h1 { font-size: 1.7rem; line-height: 1.2; margin: 0 0 .4rem; }
 h2 { font-size: 1.15rem; margin: 2.6rem 0 .3rem; padding-top: .6rem;
   border-top: 1px solid #d0d0d0; }
@@ -36,7 +36,7 @@ th.text, td.text { text-align: left; }
 th.digits, td.digits { text-align: left; }
 td.digits { font-family: "DejaVu Sans Mono", Menlo, Consolas, monospace;
   font-size: .74rem; }
-td.seen { text-align: left; white-space: normal; min-width: 15rem; }
+td.seen { text-align: left; white-space: normal; min-width: 11rem; }
 tr.best td { font-weight: 600; }
 .off { color: #b03a00; }
 .wide { overflow-x: auto; }
@@ -99,8 +99,8 @@ std::string ChartSection(const ReportView& view) {
          SpeedChart(view) + "</figure>\n" + Unshown(view) +
          "<h3>What an error costs</h3>\n"
          "<p>The fastest method that keeps its relative error at every "
-         "receiver "
-         "below a bound, and gives no light where there is none.</p>\n" +
+         "receiver below a bound, and gives no light where there is none. Of "
+         "bounds with the same answer only the strictest is listed.</p>\n" +
          ChoiceTable(view) + "</section>\n";
 }
 

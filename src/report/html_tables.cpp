@@ -103,15 +103,17 @@ std::string MethodRow(const ReportView& view, std::size_t m) {
   return row;
 }
 
-/// A value with the part that the truth does not share set apart.
+/// A value with the digits from the first one that differs from the truth set
+/// apart.
 std::string ComparedNumber(double value, double truth) {
-  const std::string text = Number(value);
+  std::string text = Number(value);
   const std::string other = Number(truth);
   std::size_t common = 0;
   while (common < text.size() && common < other.size() &&
          text[common] == other[common])
     ++common;
-  if (common == text.size() && common == other.size()) return text;
+  if (text == other) return text;
+  if (common == text.size()) common = 0;  // "0" beside "0.25" is all wrong
   return fmt::format("{}<span class=\"off\">{}</span>", text.substr(0, common),
                      text.substr(common));
 }

@@ -57,10 +57,9 @@ class BenchInBrowser : public ::testing::Test {
       GTEST_SKIP() << "no Chromium found, the report was not opened";
     }
     const std::string scenes = std::string(TRUELUX_EXAMPLES) + "/scenes/";
-    const Outcome outcome =
-        RunTruelux({"bench", scenes + "cornell_box.obj",
-                    scenes + "cornell_box_floor.csv", "-o", folder_ / "r.html",
-                    "--quick", "--receivers", "30", "--seconds", "0.1"});
+    const Outcome outcome = RunTruelux(
+        {"bench", scenes + "cornell_box.obj", scenes + "cornell_box_floor.csv",
+         "-o", folder_ / "r.html", "--quick", "--receivers", "30"});
     ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
   }
 

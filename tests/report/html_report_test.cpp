@@ -137,6 +137,13 @@ TEST(HtmlReport, SetsDifferingDigitsApart) {
       << html;
 }
 
+TEST(HtmlReport, SetsAllDigitsOfAWrongZeroApart) {
+  Comparison comparison = Empty();
+  AddMethod(comparison, "dark", "a", 3, -1);
+  EXPECT_GE(CountOf(HtmlReport(comparison), "<span class=\"off\">0</span>"),
+            1U);
+}
+
 TEST(ComparisonCsv, HasARowPerMethodAndPerReceiver) {
   Comparison comparison = Crowded();
   comparison.methods[1].values[4].reset();

@@ -145,22 +145,71 @@ int CasesForBounds() {
   return text == nullptr ? 40 : std::max(1, std::atoi(text));
 }
 
+RegimeStability MeasureBounds(const Regime& regime, int cases) {
+  RegimeStability result = MeasureStability(
+      regime, OptionsOf(cases, {StudyArithmetic::kBounded}), kNothing);
+  for (const BoundViolation& v : result.violations) {
+    ADD_FAILURE() << v.regime << ", case " << v.index << ", " << Name(v.formula)
+                  << ": " << v.value << " +- " << v.bound << ", but "
+                  << v.truth;
+  }
+  return result;
+}
+
 TEST(Stability, EveryBoundHolds) {
   std::int64_t checked = 0;
   for (const Regime& regime : Regimes()) {
-    const RegimeStability result = MeasureStability(
-        regime, OptionsOf(CasesForBounds(), {StudyArithmetic::kBounded}),
-        kNothing);
+    const RegimeStability result = MeasureBounds(regime, CasesForBounds());
     EXPECT_EQ(result.dark, 0) << regime.name;
-    for (const BoundViolation& v : result.violations) {
-      ADD_FAILURE() << v.regime << ", case " << v.index << ", "
-                    << Name(v.formula) << ": " << v.value << " +- " << v.bound
-                    << ", but " << v.truth;
-    }
     checked += result.bounds_checked;
   }
   // All formulas but, in many regimes, the series.
   EXPECT_GT(checked, std::int64_t{69} * CasesForBounds() * 12);
+}
+
+/// Three triangles around the receiver, across its horizon: integers, so that
+/// corners meet edges, planes and the horizon; and some a few ulps off that.
+/// Two emit, at least in front of the receiver.
+RegimeCase Soup(CaseRandom& random, double nudge) {
+  const auto coordinate = [&random, nudge] {
+    const double x = random.Below(7) - 3;
+    return x + nudge * (random.Below(5) - 2);
+  };
+  const auto vector = [&coordinate] {
+    const double x = coordinate();
+    const double y = coordinate();
+    const double z = coordinate();
+    return Point3{x, y, z};
+  };
+  SceneBuilder builder;
+  for (int i = 0; i < 3; ++i) {
+    const Point3 a = vector();
+    const Point3 b = vector();
+    const Point3 c = vector();
+    const double emission = i < 2 ? 1 : 0;
+    builder.AddFace({a, b, c}, {emission, emission, emission});
+  }
+  Receiver receiver;
+  do {
+    const Point3 n = vector();
+    receiver.normal = {n.x, n.y, n.z};
+  } while (receiver.normal.x == 0 && receiver.normal.y == 0 &&
+           receiver.normal.z == 0);
+  return {builder.Build().value.value(), receiver, {}};
+}
+
+/// Degenerate contours, cut by the horizon: arcs in the receiver plane, whole
+/// edges as parts of edges, coincident vertices; image planes that are cut.
+TEST(Stability, EveryBoundHoldsAcrossTheHorizon) {
+  for (const double nudge : {0.0, 0x1p-51, 0x1p-30, 0.4}) {
+    const Regime regime{"soup", true, [nudge](CaseRandom& random) {
+                          return Soup(random, nudge);
+                        }};
+    const int cases = 10 * CasesForBounds();
+    const RegimeStability result = MeasureBounds(regime, cases);
+    EXPECT_GT(result.arcs.size(), static_cast<std::size_t>(cases) / 4);
+    EXPECT_GT(Largest({result.sources.begin(), result.sources.end()}), 1);
+  }
 }
 
 /// The bounds are not only right but mean something: the best formula of each

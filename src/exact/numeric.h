@@ -123,6 +123,23 @@ inline Multiprecision Pi(const Multiprecision& like) {
   return PiOf(mpfr_get_prec(like.get()));
 }
 
+/// x, known not to be negative: 0 is then nearer than a negative value. The
+/// result is never -0, which Angle takes for the other side.
+template <class T>
+inline T NonNegative(const T& x) {
+  return IsNegative(x) || IsZero(x) ? Make<T>(0) : x;
+}
+
+template <>
+inline Ball<double> NonNegative(const Ball<double>& x) {
+  return ClampToNonNegative(x);
+}
+
+template <>
+inline Ball<DoubleDouble> NonNegative(const Ball<DoubleDouble>& x) {
+  return ClampToNonNegative(x);
+}
+
 /// sqrt(x) of a number known not to be negative; 0 below.
 template <class T>
 inline T RootOfNonNegative(const T& x) {

@@ -280,7 +280,8 @@ Vec3<W> FrameGeometry<W>::Point(int source, int i) const {
       recipe.kind == DirectionRecipe::Kind::kVertex && !recipe.negated;
   Vec3<W> point = ToFrame(is_vertex ? directions_[k]
                                     : OntoPlane(source, i) * directions_[k]);
-  if (on_horizon_[k]) point.z = FromDouble<W>(0);
+  // A visible direction is not below the horizon; rounding may put it there.
+  point.z = on_horizon_[k] ? FromDouble<W>(0) : NonNegative(point.z);
   return point;
 }
 

@@ -105,18 +105,21 @@ TEST_P(FormulasAgree, UpToTruncation) {
     const std::vector<Rgb> weights(contour.sources.size(), {1, 1, 1});
     const WeightedContour weighted{ViewOf(query), contour, weights};
     FormulaEvaluation<Multiprecision> formulas(weighted, 0x1p20, 200);
-    for (const Formula formula :
-         {Formula::kLambertEdge, Formula::kSeries, Formula::kCubature}) {
+    for (const Formula formula : {Formula::kSeries, Formula::kCubature}) {
       formulas.Prepare(formula);
     }
+    // Slivers of 1e-49 cost Lambert's sum, whose terms are of the order of 1,
+    // all but a few of 200 bits.
+    FormulaEvaluation<Multiprecision> lambert(weighted, 0x1p20, 1024);
+    lambert.Prepare(Formula::kLambertEdge);
     for (std::size_t i = 0; i < formulas.lit().size(); ++i) {
       const Multiprecision truth =
-          formulas.Evaluate(Formula::kLambertEdge, i).value;
+          lambert.Evaluate(Formula::kLambertEdge, i).value;
       for (const Formula formula : {Formula::kSeries, Formula::kCubature}) {
         const auto sum = formulas.Evaluate(formula, i);
         if (!sum.applicable) continue;
         EXPECT_LE(std::fabs(Leading(truth - sum.value)),
-                  sum.truncation + 1e-45 * Leading(truth))
+                  sum.truncation + 1e-40 * Leading(truth))
             << Name(formula);
         ++applicable;
       }

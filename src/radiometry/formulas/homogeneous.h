@@ -22,16 +22,20 @@ T TowardsInfinity(const ImageVertex<T>& at_infinity,
 }
 
 /// Row 4 for both ends of an edge at infinity with the difference (a, b).
+/// clockwise: in the image plane; the sign of ay - bx, which must not be left
+/// to rounding: where r is next to the edge, the sum would be off by 2 pi.
 template <class T>
-T AlongInfinity(const ImageVertex<T>& p, const ImageVertex<T>& q) {
+T AlongInfinity(const ImageVertex<T>& p, const ImageVertex<T>& q,
+                bool clockwise) {
   const T a = q.x - p.x;
   const T b = q.y - p.y;
   // The same for both ends, as (a, b) is their difference.
   const T across = a * q.y - b * q.x;
+  const T distance = NonNegative(clockwise ? across : -across);
   const T at_q = a * q.x + b * q.y;
   const T at_p = a * p.x + b * p.y;
-  if (IsNegative(across)) return Angle(-at_q, -across) - Angle(-at_p, -across);
-  return Angle(at_q, across) - Angle(at_p, across);
+  const T beta = Angle(at_q, distance) - Angle(at_p, distance);
+  return clockwise ? beta : -beta;
 }
 
 /// The form factor [1] of a region.
@@ -43,7 +47,7 @@ T Homogeneous(const Boundary<T>& region) {
     const ImageVertex<T> p = ImageOf(region.From(arc));
     const ImageVertex<T> q = ImageOf(region.To(arc));
     if (p.at_infinity && q.at_infinity) {
-      sum = sum + AlongInfinity(p, q);
+      sum = sum + AlongInfinity(p, q, IsNegative(arc.normal.z));
     } else if (q.at_infinity) {
       sum = sum + TowardsInfinity(q, p, pi) - DirectionTerm(p.x, p.y, q.x, q.y);
     } else if (p.at_infinity) {

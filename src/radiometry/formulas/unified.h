@@ -29,8 +29,9 @@ T Unified(const Boundary<T>& region) {
     const Vec3<T>& v = region.From(arc).point;
     const Vec3<T>& w = region.To(arc).point;
     if (arc.on_horizon) {
-      sum = sum +
-            AlongInfinity(ImageOf(region.From(arc)), ImageOf(region.To(arc)));
+      sum = sum + AlongInfinity(ImageOf(region.From(arc)),
+                                ImageOf(region.To(arc)),
+                                IsNegative(arc.normal.z));
       continue;
     }
     const T length = Length(arc.normal);

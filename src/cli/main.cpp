@@ -10,6 +10,7 @@
 
 #include "cli/cmd_bench.h"
 #include "cli/cmd_eval.h"
+#include "cli/cmd_stability.h"
 #include "cli/exit_status.h"
 #include "cli/interrupt.h"
 #include "cli/messages.h"
@@ -66,9 +67,13 @@ ExitStatus Run(int argc, char** argv) {
   AddEvalCommand(app, eval);
   BenchArguments bench;
   AddBenchCommand(app, bench);
+  StabilityArguments stability;
+  AddStabilityCommand(app, stability);
   try {
     app.parse(argc, argv);
-    return app.got_subcommand("bench") ? RunBench(bench) : RunEval(eval);
+    if (app.got_subcommand("bench")) return RunBench(bench);
+    if (app.got_subcommand("stability")) return RunStability(stability);
+    return RunEval(eval);
   } catch (const CLI::CallForHelp&) {
     WriteStandardOutput(app.help());
     return ExitStatus::kDone;

@@ -27,11 +27,11 @@ std::string DurationText(double seconds) {
 }  // namespace
 
 std::string ProgressText(std::uint64_t done, std::optional<std::uint64_t> total,
-                         double seconds) {
+                         double seconds, std::string_view things) {
   const double rate = static_cast<double>(done) / seconds;
   std::string text = fmt::format("{}", done);
   if (total) text += fmt::format(" of {}", *total);
-  text += fmt::format(" receivers, {:.{}f}/s", rate, rate < 10 ? 2 : 0);
+  text += fmt::format(" {}, {:.{}f}/s", things, rate, rate < 10 ? 2 : 0);
   if (total && done > 0) {
     const double left =
         static_cast<double>(*total - std::min(done, *total)) / rate;
@@ -40,7 +40,8 @@ std::string ProgressText(std::uint64_t done, std::optional<std::uint64_t> total,
   return text;
 }
 
-Progress::Progress(std::optional<std::uint64_t> total) : total_(total) {
+Progress::Progress(std::optional<std::uint64_t> total, std::string_view things)
+    : total_(total), things_(things) {
   if (isatty(STDERR_FILENO) != 0) thread_ = std::thread([this] { Show(); });
 }
 
@@ -62,7 +63,8 @@ void Progress::Show() {
   bool end = stop_signal_.wait_for(lock, kQuietTime, stopped);
   while (!end) {
     const std::chrono::duration<double> elapsed = Clock::now() - start;
-    const std::string text = ProgressText(done(), total_, elapsed.count());
+    const std::string text =
+        ProgressText(done(), total_, elapsed.count(), things_);
     // Blanks cover what a longer line left.
     const std::string line = fmt::format("\r{:<{}}", text, shown);
     shown = text.size();

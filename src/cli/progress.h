@@ -9,21 +9,24 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 
 namespace truelux {
 
 /// The text of the line: receivers done, rate, remaining time if the total is
-/// known and something is done.
+/// known and something is done. things: what is counted.
 std::string ProgressText(std::uint64_t done, std::optional<std::uint64_t> total,
-                         double seconds);
+                         double seconds, std::string_view things = "receivers");
 
-/// Counts receivers and, if standard error is a terminal and the run takes
-/// longer than two seconds, shows a line there until it is destroyed.
+/// Counts receivers, or other things, and, if standard error is a terminal and
+/// the run takes longer than two seconds, shows a line there until it is
+/// destroyed.
 class Progress {
  public:
   /// total: number of receivers, if known.
-  explicit Progress(std::optional<std::uint64_t> total);
+  explicit Progress(std::optional<std::uint64_t> total,
+                    std::string_view things = "receivers");
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -37,6 +40,7 @@ class Progress {
   void Show();
 
   std::optional<std::uint64_t> total_;
+  std::string things_;
   std::atomic<std::uint64_t> done_ = 0;
   std::mutex mutex_;
   std::condition_variable stop_signal_;

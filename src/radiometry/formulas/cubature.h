@@ -1,5 +1,5 @@
 // "cubature": positive Gauss cubature over spherical triangles (docs/method.md
-// section 9; not in the papers). For unit vectors a, b, c
+// (17) to (19); not in the papers). For unit vectors a, b, c
 //
 //   F = -(det(a, b, c) / pi) integral over the flat triangle of p_z / |p|^4
 //

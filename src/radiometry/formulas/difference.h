@@ -1,5 +1,5 @@
-// "difference": Lambert's sum with what cancels taken out (docs/method.md
-// section 9; not in the papers): with unit vectors u, one of them u_0, and
+// "difference": Lambert's sum with what cancels taken out (docs/method.md (15)
+// and (16); not in the papers): with unit vectors u, one of them u_0, and
 // d = u - u_0,
 //
 //   F = -(1/2pi) z.[ sum d x d' + sum (beta - sin beta) N / |N| ]

@@ -1,5 +1,5 @@
 // "series": a triangle of small angular size as a series of positive terms
-// (docs/method.md section 9; not in the papers). With unit vectors u_k and
+// (docs/method.md (17), (18); not in the papers). With unit vectors u_k and
 // D_ij = 1 - cos beta_ij,
 //
 //   F = -det(u_0, u_1, u_2) / (6 pi) sum_k (z.u_k) w_k

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "radiometry/formula_runs.h"
+#include "radiometry/formulas/image_plane.h"
 #include "radiometry/random_polygons.h"
 #include "support/scenes.h"
 
@@ -50,6 +51,21 @@ std::vector<KnownView> KnownViews() {
   return {
       {"octant",
        {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+       {},
+       {0, 0, 1},
+       Real(1) / four},
+      {"octant_to_minus_x",
+       {{0, 1, 0}, {0, 0, 1}, {-1, 0, 0}},
+       {},
+       {0, 0, 1},
+       Real(1) / four},
+      {"octant_from_minus_x",
+       {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
+       {},
+       {0, 0, 1},
+       Real(1) / four},
+      {"octant_from_minus_y",
+       {{0, -1, 0}, {0, 0, 1}, {1, 0, 0}},
        {},
        {0, 0, 1},
        Real(1) / four},
@@ -195,6 +211,26 @@ TEST_P(FormulaOnPolygons, OnlyFormsThatAreNotClosedLeaveSomethingOut) {
     if (GetParam() == Formula::kCubature) {
       EXPECT_LE(sum.truncation, 0x1p-53 * sum.value) << view.name;
     }
+  }
+}
+
+// Engines may add such pairs. They also bring arcs of the sense that no outline
+// has along the horizon.
+TEST_P(FormulaOnPolygons, PairsOfOppositeArcsAddNothing) {
+  for (const KnownView& view : KnownViews()) {
+    HandContour contour = PolygonContour(view.ring, view.position, view.normal);
+    Contour& arcs = contour.contour();
+    const int count = arcs.sources[0].arc_count;
+    for (int i = 0; i < count; ++i) {
+      const Arc arc = arcs.arcs[static_cast<std::size_t>(i)];
+      arcs.arcs.push_back(arc);
+      arcs.arcs.push_back({arc.plane, !arc.positive, arc.to, arc.from, 0});
+    }
+    arcs.sources[0].arc_count = 3 * count;
+    const auto sum = RunFormula<Ball<double>>(GetParam(), contour, 32);
+    if (!sum.applicable) continue;
+    EXPECT_LE(ErrorOf(sum, TruthOf(view)), Real(sum.value.error)) << view.name;
+    EXPECT_LE(sum.value.error, 1e-9) << view.name;
   }
 }
 
@@ -348,6 +384,23 @@ TEST_P(FormulaOnPolygons, HoldsTheTruthNextToAnEdgeInTheReceiverPlane) {
       GetParam() == Formula::kUnified || GetParam() == Formula::kHomogeneous;
   if (knows) {
     EXPECT_GT(narrow, 100);
+  }
+}
+
+// Far out, an edge along x adds nearly as much as an edge of its run can.
+TEST(ImagePlane, BoundOfAnUnknownSlopeHoldsTheWorstEdge) {
+  const Multiprecision far(kRunBits, 1e9);
+  const Multiprecision level(kRunBits, 0.0);
+  const Multiprecision start(kRunBits, 0.0);
+  for (const double run : {1e-9, 1e-3, 0.1}) {
+    const Multiprecision end(kRunBits, run);
+    const double added =
+        Leading(SlopeTerm(end, far, level) - SlopeTerm(start, far, level));
+    const Ball<double> bound =
+        BoundedByRun(Unbounded<double>(), Ball<double>{0, run});
+    EXPECT_EQ(bound.value, 0);
+    EXPECT_LE(std::fabs(added), bound.error);
+    EXPECT_GE(std::fabs(added), 0.97 * bound.error);
   }
 }
 

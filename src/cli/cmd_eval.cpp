@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "truelux/formulas.h"
 #include "truelux/irradiance.h"
 
 #include "cli/evaluation.h"
@@ -77,6 +78,15 @@ void NoteOverflows(const EvaluationSummary& summary) {
                   summary.overflowing == 1 ? "has" : "have"));
 }
 
+void NoteUnanswered(const EvaluationSummary& summary, Formula formula) {
+  if (summary.unanswered == 0) return;
+  PrintNote(
+      fmt::format("{} of {} receivers {} a source to which the formula {} does "
+                  "not apply, written as nan",
+                  summary.unanswered, summary.receivers,
+                  summary.unanswered == 1 ? "has" : "have", Name(formula)));
+}
+
 }  // namespace
 
 ExitStatus RunEval(const EvalArguments& arguments) {
@@ -104,6 +114,7 @@ ExitStatus RunEval(const EvalArguments& arguments) {
   report.receivers = summary.receivers;
   report.statistics = summary.statistics;
   NoteOverflows(summary);
+  NoteUnanswered(summary, request.options.formula);
 
   // Names are given at the very end, when nothing can fail but the naming.
   if (stats) {

@@ -1,8 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "truelux/formulas.h"
 #include "truelux/irradiance.h"
 
 #include "cli/cmd_eval.h"
@@ -24,7 +27,8 @@ constexpr const char* kInputHelp =
     "may name the face (number of its f line, from 1) on which the point lies\n"
     "up to rounding: that face and all faces in its plane are ignored there.\n"
     "All columns are copied to the output, followed by E_r,E_g,E_b and, with\n"
-    "--method double, bound_r,bound_g,bound_b, proven bounds on the errors.\n";
+    "--method double, bound_r,bound_g,bound_b, proven bounds on the errors\n"
+    "(nan and inf where --formula does not apply).\n";
 
 constexpr const char* kExamples =
     "Examples:\n"
@@ -45,6 +49,23 @@ void AddChoice(CLI::App& command, const char* name, std::string& word,
   AddWord(command, name, word, help)
       ->check(CLI::IsMember(words).description(""))
       ->type_name(CLI::detail::join(words, "|"));
+}
+
+/// The formulas' names, some on each line.
+std::string WordsOf(std::span<const Formula> formulas) {
+  constexpr std::size_t kLineLength = 56;
+  std::string text;
+  std::size_t line = 0;
+  for (const Formula formula : formulas) {
+    const std::string_view name = Name(formula);
+    if (!text.empty()) {
+      const bool is_full = text.size() + name.size() + 2 - line > kLineLength;
+      text += is_full ? ",\n" : ", ";
+      if (is_full) line = text.size();
+    }
+    text += name;
+  }
+  return text;
 }
 
 void AddInputs(CLI::App& command, EvalArguments& arguments) {
@@ -99,6 +120,17 @@ void AddChoices(CLI::App& command, EvalArguments& arguments) {
             {Name(Emission::kExitance), Name(Emission::kRadiance)},
             "what Ke is: radiant exitance M [W/m^2], or\n"
             "radiance L [W/m^2/sr], M = pi L");
+  command
+      .add_option("--formula", arguments.formula,
+                  "with --method double: the formula that is summed, one of\n" +
+                      WordsOf(AllFormulas()) + ";\nby default auto")
+      ->type_name("NAME");
+  command
+      .add_option("--half-side", arguments.half_side,
+                  "with --formula image-plane or directions: what is visible\n"
+                  "is cut to |x|, |y| <= R on the plane at distance 1; by\n"
+                  "default 2^20")
+      ->type_name("R");
   AddWord(command, "--threads", arguments.threads,
           "number of threads; by default one per processor")
       ->type_name("N");

@@ -7,6 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "truelux/formulas.h"
+#include "truelux/io.h"
+
 #include "cli/evaluation.h"
 #include "cli/messages.h"
 #include "cli/option_values.h"
@@ -29,6 +32,50 @@ void CheckCombination(const EvalArguments& arguments) {
   if (arguments.on_face && !arguments.at) {
     throw UsageError("--on-face belongs to --at; a table has a column on_face");
   }
+}
+
+std::string FormulaNames() {
+  std::string names;
+  for (const Formula formula : AllFormulas()) {
+    if (!names.empty()) names += ", ";
+    names += Name(formula);
+  }
+  return names;
+}
+
+/// Sets the formula and its half-side; method and engine are set already.
+void ParseFormula(const EvalArguments& arguments, OracleOptions& options) {
+  if (arguments.formula) {
+    if (options.method != Method::kDouble) {
+      throw UsageError(
+          "--formula belongs to --method double; a certified result does not "
+          "depend on the formula");
+    }
+    const auto formula = FormulaByName(*arguments.formula);
+    if (!formula) {
+      throw UsageError(fmt::format("--formula: '{}' is none of {}",
+                                   *arguments.formula, FormulaNames()));
+    }
+    options.formula = *formula;
+  }
+  if (options.formula != Formula::kAuto &&
+      options.engine == Engine::kAngularSpans) {
+    throw UsageError(
+        "--formula needs the contour of every source; --engine angular-spans "
+        "has none");
+  }
+  if (!arguments.half_side) return;
+  if (options.formula != Formula::kImagePlane &&
+      options.formula != Formula::kDirections) {
+    throw UsageError(
+        "--half-side belongs to --formula image-plane and directions");
+  }
+  const std::optional<double> half_side = ParseNumber(*arguments.half_side);
+  if (!half_side || !(*half_side > 0)) {
+    throw UsageError(fmt::format("--half-side: '{}' is not a positive number",
+                                 *arguments.half_side));
+  }
+  options.half_side = *half_side;
 }
 
 /// Puts the three texts between the commas of an option's value into `texts`.
@@ -91,6 +138,7 @@ EvalRequest ParseEvalRequest(const EvalArguments& arguments) {
   if (arguments.emission == Name(Emission::kRadiance)) {
     request.options.emission = Emission::kRadiance;
   }
+  ParseFormula(arguments, request.options);
   return request;
 }
 

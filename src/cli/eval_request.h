@@ -22,6 +22,8 @@ struct EvalArguments {
   std::string method;
   std::string engine;
   std::string emission;
+  std::optional<std::string> formula;
+  std::optional<std::string> half_side;
   std::string threads;
 };
 

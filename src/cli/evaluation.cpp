@@ -39,6 +39,11 @@ bool IsInfinite(const Irradiance& irradiance) {
                      [](double value) { return std::isinf(value); });
 }
 
+bool HasNoNumber(const Irradiance& irradiance) {
+  return std::any_of(irradiance.value.begin(), irradiance.value.end(),
+                     [](double value) { return std::isnan(value); });
+}
+
 /// First stage, serial: the next rows.
 ///
 /// The blocks are owned here and used in turn, because a pipeline that is
@@ -120,6 +125,7 @@ void WriteBlock(const Block& block, OutputFile& output,
   for (const Irradiance& irradiance : block.results) {
     summary.statistics += irradiance.statistics;
     if (IsInfinite(irradiance)) ++summary.overflowing;
+    if (HasNoNumber(irradiance)) ++summary.unanswered;
   }
   summary.receivers += block.rows.size();
 }

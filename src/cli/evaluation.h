@@ -21,6 +21,8 @@ struct EvaluationSummary {
   Statistics statistics;
   std::uint64_t receivers = 0;    ///< rows written
   std::uint64_t overflowing = 0;  ///< of these, with an infinite value
+  /// Of these, with a value that the formula does not give or not bound.
+  std::uint64_t unanswered = 0;
   /// What ended the input early: the defects of the first defective row.
   std::vector<Diagnostic> defects;
 };

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <type_traits>
 
@@ -95,10 +96,17 @@ inline float Angle(float y, float x) {
 }
 
 inline double Angle(double y, double x) {
+  // Atan2 looks up a table and may not meet what is not finite.
+  if (!std::isfinite(y) || !std::isfinite(x)) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
   return Atan2(y, x);
 }
 
 inline DoubleDouble Angle(const DoubleDouble& y, const DoubleDouble& x) {
+  if (!std::isfinite(y.high) || !std::isfinite(x.high)) {
+    return {std::numeric_limits<double>::quiet_NaN(), 0};
+  }
   return Atan2(y, x);
 }
 
@@ -123,20 +131,13 @@ inline Multiprecision Pi(const Multiprecision& like) {
   return PiOf(mpfr_get_prec(like.get()));
 }
 
-/// x, known not to be negative: 0 is then nearer than a negative value. The
-/// result is never -0, which Angle takes for the other side.
+/// x, known not to be negative: 0 if rounding has made it so.
 template <class T>
 inline T NonNegative(const T& x) {
-  return IsNegative(x) || IsZero(x) ? Make<T>(0) : x;
+  return IsNegative(x) ? Make<T>(0) : x;
 }
 
-template <>
 inline Ball<double> NonNegative(const Ball<double>& x) {
-  return ClampToNonNegative(x);
-}
-
-template <>
-inline Ball<DoubleDouble> NonNegative(const Ball<DoubleDouble>& x) {
   return ClampToNonNegative(x);
 }
 
@@ -168,8 +169,8 @@ inline Vec3<T> Unit(const Vec3<T>& v) {
   return {v.x / length, v.y / length, v.z / length};
 }
 
-/// x / y where |x| <= y: 0 if y is 0, and never off by more than 1 for a Ball
-/// that holds [-1, 1].
+/// x / y where |x| <= y: 0 if y is 0. A Ball that does not know better is
+/// [-1, 1].
 template <class T>
 inline T Fraction(const T& x, const T& y) {
   if (IsZero(y)) return Make<T>(0);
@@ -180,13 +181,9 @@ template <>
 inline Ball<double> Fraction(const Ball<double>& x, const Ball<double>& y) {
   if (IsZero(y)) return Ball<double>(0.0);
   const Ball<double> quotient = x / y;
-  if (!(std::fabs(quotient.value) + quotient.error <= 2)) {
-    return {std::isfinite(quotient.value)
-                ? std::clamp(quotient.value, -1.0, 1.0)
-                : 0.0,
-            std::isfinite(quotient.error) ? std::min(quotient.error, 2.0) : 2};
-  }
-  return quotient;
+  // Written so that a NaN is no bound.
+  if (!(quotient.error < 1)) return {0, 1};
+  return {std::clamp(quotient.value, -1.0, 1.0), quotient.error};
 }
 
 /// The angle in [0, pi] whose cosine is x; x a little beyond +-1 counts as
@@ -200,18 +197,26 @@ inline T ArcCosine(const T& x) {
   return Angle(RootOfNonNegative((one - x) * (one + x)), x);
 }
 
+/// x + y rounded upwards.
+inline double SumUp(double x, double y) {
+  const DoubleDouble sum = TwoSum(x, y);
+  if (!(sum.low > 0)) return sum.high;
+  return std::nextafter(sum.high, std::numeric_limits<double>::infinity());
+}
+
 template <>
 inline Ball<double> ArcCosine(const Ball<double>& x) {
   if (!IsBounded(x)) return {0, 3.1415926535897936};
   // The arccosine falls, so its values at the ends enclose those in between.
-  // ArcCosine in double is off by less than 20 u: 2 u each for the factors,
-  // half of their sum and u for the root, and 5.2 u and 1 u for the angle.
+  // The ends are rounded outwards: near +-1 half a unit in the last place is
+  // 1e-8 of the angle. ArcCosine in double is off by 7.7 u relatively: u for
+  // each factor and their product, halved by the root, u for that, and 5.2 u.
   const double middle = std::clamp(x.value, -1.0, 1.0);
   const double angle = ArcCosine(middle);
-  const double least = ArcCosine(std::min(1.0, middle + x.error));
-  const double most = ArcCosine(std::max(-1.0, middle - x.error));
+  const double least = ArcCosine(std::min(1.0, SumUp(middle, x.error)));
+  const double most = ArcCosine(std::max(-1.0, -SumUp(-middle, x.error)));
   return {angle, RoundBoundUp(std::max(angle - least, most - angle) +
-                              40 * 3.15 * kUnitRoundoff)};
+                              8 * kUnitRoundoff * most)};
 }
 
 /// The angle of (x, y) in [0, 2 pi). Of a Ball unbounded if it may be either
@@ -228,7 +233,8 @@ inline Ball<double> AngleFromAxis(const Ball<double>& y,
   using B = Ball<double>;
   const B pi = Pi(x);
   if (HasSign(y)) {
-    if (!IsNegative(y)) return Angle(y, x);
+    // Clamped, as Atan2 takes -0 for the other side.
+    if (!IsNegative(y)) return Angle(ClampToNonNegative(y), x);
     return B(2.0) * pi - Angle(-y, x);
   }
   // Turned by a quarter to (y, -x).

@@ -1,5 +1,6 @@
 #include "radiometry/boundary.h"
 
+#include <cmath>
 #include <type_traits>
 #include <unordered_map>
 
@@ -11,7 +12,9 @@ T Converted(const Ball<DoubleDouble>& x) {
   if constexpr (std::is_same_v<T, DoubleDouble>) {
     return x.value;
   } else if constexpr (kIsBall<T>) {
-    return {x.value.high, RoundBoundUp(std::fabs(x.value.low) + x.error)};
+    // A number without error stays one: formulas ask for exact zeros.
+    const double rest = std::fabs(x.value.low);
+    return {x.value.high, x.error == 0 ? rest : RoundBoundUp(rest + x.error)};
   } else {
     return static_cast<T>(x.value.high);
   }
@@ -57,9 +60,10 @@ class Builder {
       const int first = backwards ? plane.b : plane.a;
       const int last = backwards ? plane.a : plane.b;
       whole = IsVertex(end(arc.to), first) && IsVertex(end(arc.from), last);
-      if (!whole) added.edge = Converted<T>(geometry_.Edge(first, last));
+      if (!whole)
+        added.edge = Converted<T>(geometry_.Edge(source_, first, last));
     }
-    if (whole) {
+    if (whole && !added.on_horizon) {
       added.normal = Cross(Vertex(added.from).point, added.chord);
     } else {
       added.normal = Converted<T>(geometry_.Plane(arc.plane));

@@ -1,6 +1,9 @@
 // The stages in order: double or double-double with a running bound, then
 // MPFR with growing precision.
 
+#include <cmath>
+#include <limits>
+
 #include "exact/ball.h"
 #include "radiometry/ball_stage.h"
 #include "radiometry/evaluation_workspace.h"
@@ -47,17 +50,21 @@ void TakeNarrower(const std::array<Ball<double>, 3>& balls,
   }
 }
 
-/// Answers whatever came out: what a formula cannot bound has no bound.
+/// Answers whatever came out: what a formula cannot bound has no bound, and is
+/// no number unless it is too large for binary64.
 void TakeAll(const std::array<Ball<double>, 3>& balls, const Channels& lit,
              Irradiance& result) {
   for (std::size_t channel = 0; channel < 3; ++channel) {
     if (!lit[channel]) continue;
     const Ball<double>& ball = balls[channel];
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const bool bounded = IsBounded(ball);
-    result.value[channel] = bounded ? ClampToNonNegative(ball).value
-                                    : std::numeric_limits<double>::quiet_NaN();
-    result.bound[channel] =
-        bounded ? ball.error : std::numeric_limits<double>::infinity();
+    const bool overflows = ball.value == kInfinity && std::isfinite(ball.error);
+    result.value[channel] = bounded     ? ClampToNonNegative(ball).value
+                            : overflows ? kInfinity
+                                        : std::nan("");
+    result.bound[channel] = bounded ? ball.error : kInfinity;
+    if (overflows) ++result.statistics.overflows;
   }
 }
 

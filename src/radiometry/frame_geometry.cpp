@@ -28,8 +28,28 @@ W FromDouble(double x) {
   }
 }
 
+/// Whether x 2^exponent is a normal number, or 0.
+bool StaysNormal(double x, double power_of_two) {
+  return x == 0 || std::fabs(x * power_of_two) >= 0x1p-1000;
+}
+
 DoubleDoubleBall TimesTwoTo(const DoubleDoubleBall& x, int exponent) {
-  return Scaled(x, PowerOfTwo(exponent));
+  const double factor = PowerOfTwo(exponent);
+  DoubleDoubleBall scaled = truelux::Scaled(x, factor);
+  // Exact numbers stay exact: formulas ask for exact zeros.
+  if (x.error == 0 && StaysNormal(x.value.high, factor) &&
+      StaysNormal(x.value.low, factor)) {
+    scaled.error = 0;
+  }
+  return scaled;
+}
+
+DoubleDoubleBall NotBelowZero(const DoubleDoubleBall& x) {
+  return ClampToNonNegative(x);
+}
+
+Multiprecision NotBelowZero(const Multiprecision& x) {
+  return NonNegative(x);
 }
 
 Multiprecision TimesTwoTo(Multiprecision x, int exponent) {
@@ -49,6 +69,15 @@ Vec3<DoubleDoubleBall> Balls(const BallVector<DoubleDouble>& v) {
 
 Vec3<Multiprecision> Rounded(const Vec3<Exact>& v, mpfr_prec_t precision) {
   return {{precision, v.x}, {precision, v.y}, {precision, v.z}};
+}
+
+const Multiprecision& Middle(const Multiprecision& x) {
+  return x;
+}
+
+Multiprecision Middle(const DoubleDoubleBall& x) {
+  return Multiprecision(kConversionBits, x.value.high) +
+         Multiprecision(kConversionBits, x.value.low);
 }
 
 /// The same direction with a largest component in [1/2, 1).
@@ -76,15 +105,32 @@ Vec3<W> Difference(const Point3& a, const Point3& b, mpfr_prec_t precision) {
   }
 }
 
-/// The exponent of the largest coordinate of a vertex relative to r.
-int LargestExponent(const WeightedContour& contour) {
+bool IsVertex(const DirectionRecipe& d) {
+  return d.kind == DirectionRecipe::Kind::kVertex && !d.negated;
+}
+
+/// The exponent of the largest coordinate relative to r of the scene vertices
+/// that a source's arcs end at; without any, of the ends of their edges.
+int LargestExponent(const WeightedContour& contour, const SourceArcs& source) {
+  const Contour& c = contour.contour;
   double largest = 0;
-  for (const DirectionRecipe& d : contour.contour.directions) {
-    if (d.kind != DirectionRecipe::Kind::kVertex) continue;
-    const Point3& p = Vertex(contour, d.a);
+  const auto take = [&](int v) {
+    const Point3& p = Vertex(contour, v);
     const Point3& r = contour.view.position;
     largest = std::max({largest, std::fabs(p.x - r.x), std::fabs(p.y - r.y),
                         std::fabs(p.z - r.z)});
+  };
+  for (const Arc& arc : contour.ArcsOf(source)) {
+    for (const int end : {arc.from, arc.to}) {
+      const DirectionRecipe& d = c.directions[static_cast<std::size_t>(end)];
+      if (IsVertex(d)) take(d.a);
+    }
+  }
+  for (const Arc& arc : contour.ArcsOf(source)) {
+    const PlaneRecipe& plane = c.planes[static_cast<std::size_t>(arc.plane)];
+    if (largest > 0 || plane.kind != PlaneRecipe::Kind::kEdge) continue;
+    take(plane.a);
+    take(plane.b);
   }
   if (largest == 0 || !std::isfinite(largest)) return 0;
   return std::clamp(std::ilogb(largest), -kMaxExponent, kMaxExponent);
@@ -92,25 +138,14 @@ int LargestExponent(const WeightedContour& contour) {
 
 template <class W>
 void LoadVectors(const WeightedContour& contour, mpfr_prec_t precision,
-                 int exponent, std::vector<Vec3<W>>& directions,
+                 std::vector<Vec3<W>>& directions,
                  std::vector<Vec3<W>>& planes) {
   const Contour& c = contour.contour;
-  const auto is_vertex = [](const DirectionRecipe& d) {
-    return d.kind == DirectionRecipe::Kind::kVertex && !d.negated;
-  };
-  const auto vertex = [&](int v) {
-    return TimesTwoTo(
-        Difference<W>(contour.view.position, Vertex(contour, v), precision),
-        -exponent);
-  };
   if constexpr (std::is_same_v<W, Multiprecision>) {
     const RecipeEvaluator<Exact> exact(contour.view);
     for (const DirectionRecipe& d : c.directions) {
-      directions.push_back(
-          is_vertex(d) ? vertex(d.a)
-                       : Normalized(Rounded(
-                             exact.Direction(d, c.planes, c.explicit_vectors),
-                             precision)));
+      directions.push_back(Normalized(Rounded(
+          exact.Direction(d, c.planes, c.explicit_vectors), precision)));
     }
     for (const PlaneRecipe& p : c.planes) {
       planes.push_back(
@@ -120,11 +155,8 @@ void LoadVectors(const WeightedContour& contour, mpfr_prec_t precision,
     BallGeometry<DoubleDouble> geometry;
     geometry.Evaluate(contour);
     for (std::size_t i = 0; i < c.directions.size(); ++i) {
-      const DirectionRecipe& d = c.directions[i];
       directions.push_back(
-          is_vertex(d)
-              ? vertex(d.a)
-              : Balls(geometry.Direction(static_cast<int>(i)).scaled.vector));
+          Balls(geometry.Direction(static_cast<int>(i)).scaled.vector));
     }
     for (std::size_t i = 0; i < c.planes.size(); ++i) {
       planes.push_back(
@@ -166,10 +198,11 @@ int TriangleOf(const WeightedContour& contour, int facet) {
   return static_cast<int>(found - triangles.begin());
 }
 
-/// How certain a determinant must be not to be taken from exact numbers.
+/// A worse determinant is taken from exact numbers.
 constexpr double kGoodDeterminant = 0x1p-100;
 
 DoubleDoubleBall BallOfRounded(Multiprecision x) {
+  if (IsZero(x)) return DoubleDoubleBall(0.0);
   const double high = x.ToDouble();
   mpfr_sub_d(x.get(), x.get(), high, MPFR_RNDN);
   return {{high, x.ToDouble()}, RoundBoundUp(0x1p-104 * std::fabs(high))};
@@ -182,9 +215,10 @@ FrameGeometry<W>::FrameGeometry(const WeightedContour& contour,
                                 mpfr_prec_t precision)
     : contour_(contour),
       precision_(precision),
-      exponent_(LargestExponent(contour)),
       is_horizon_(PlanesOnHorizon(contour)) {
-  LoadVectors(contour, precision, exponent_, directions_, planes_);
+  for (const SourceArcs& source : contour.contour.sources)
+    exponents_.push_back(LargestExponent(contour, source));
+  LoadVectors(contour, precision, directions_, planes_);
   FindFrame();
   FindHorizon();
 }
@@ -194,8 +228,7 @@ void FrameGeometry<W>::FindFrame() {
   const Vector3& n = contour_.view.normal;
   const std::array<double, 3> size = {std::fabs(n.x), std::fabs(n.y),
                                       std::fabs(n.z)};
-  const auto zeros = std::ranges::count(size, 0.0);
-  if (zeros == 2) {
+  if (std::ranges::count(size, 0.0) == 2) {
     axis_ = static_cast<int>(std::ranges::max_element(size) - size.begin());
     negative_axis_ = n.x < 0 || n.y < 0 || n.z < 0;
     return;
@@ -248,27 +281,33 @@ void FrameGeometry<W>::FindHorizon() {
 template <class W>
 W FrameGeometry<W>::OntoPlane(int source, int i) const {
   const Vec3<W>& d = directions_[static_cast<std::size_t>(i)];
+  const int exponent = exponents_[static_cast<std::size_t>(source)];
   const int facet =
       contour_.contour.sources[static_cast<std::size_t>(source)].facet;
   const int triangle = facet < 0 ? -1 : TriangleOf(contour_, facet);
   double factor = 0;
   if (triangle >= 0) {
-    if constexpr (std::is_same_v<W, Multiprecision>) {
-      const RecipeEvaluator<Exact> exact(contour_.view);
-      const Multiprecision height(precision_, exact.Height(triangle));
-      factor = Leading(TimesTwoTo(
-          height / Dot(Rounded(exact.TriangleNormal(triangle), precision_), d),
-          -exponent_));
-    } else {
+    if constexpr (!std::is_same_v<W, Multiprecision>) {
       const RecipeEvaluator<W> rounded(contour_.view);
-      factor = std::ldexp(Leading((rounded.Height(triangle) /
-                                   Dot(rounded.TriangleNormal(triangle), d))
-                                      .value),
-                          -exponent_);
+      const W distance =
+          rounded.Height(triangle) / Dot(rounded.TriangleNormal(triangle), d);
+      if (IsBounded(distance)) {
+        factor = std::ldexp(Leading(distance.value), -exponent);
+      }
+    }
+    // Exact numbers where those were, or have become, too large or too small.
+    if (!(factor > 0)) {
+      const RecipeEvaluator<Exact> exact(contour_.view);
+      const auto normal =
+          Rounded(exact.TriangleNormal(triangle), kConversionBits);
+      const Multiprecision height(kConversionBits, exact.Height(triangle));
+      const Vec3<Multiprecision> ray = {Middle(d.x), Middle(d.y), Middle(d.z)};
+      factor = TimesTwoTo(height / Dot(normal, ray), -exponent).ToDouble();
     }
   }
-  // Any positive factor is right; this one only makes differences short.
-  if (!(factor > 0x1p-300 && factor < 0x1p300)) factor = 1;
+  // Any positive factor is right; this one only makes differences short. It is
+  // not 2^60 off where the source is, but where only near blockers bound it.
+  if (!(factor > 0x1p-60 && factor < 0x1p60)) factor = 1;
   return FromDouble<W>(factor);
 }
 
@@ -276,12 +315,11 @@ template <class W>
 Vec3<W> FrameGeometry<W>::Point(int source, int i) const {
   const auto k = static_cast<std::size_t>(i);
   const DirectionRecipe& recipe = contour_.contour.directions[k];
-  const bool is_vertex =
-      recipe.kind == DirectionRecipe::Kind::kVertex && !recipe.negated;
-  Vec3<W> point = ToFrame(is_vertex ? directions_[k]
-                                    : OntoPlane(source, i) * directions_[k]);
-  // A visible direction is not below the horizon; rounding may put it there.
-  point.z = on_horizon_[k] ? FromDouble<W>(0) : NonNegative(point.z);
+  Vec3<W> point =
+      IsVertex(recipe)
+          ? Scaled(source, contour_.view.position, Vertex(contour_, recipe.a))
+          : ToFrame(OntoPlane(source, i) * directions_[k]);
+  point.z = on_horizon_[k] ? FromDouble<W>(0) : NotBelowZero(point.z);
   return point;
 }
 
@@ -292,9 +330,8 @@ Vec3<W> FrameGeometry<W>::Between(int source, int i, int j) const {
   const DirectionRecipe& to =
       contour_.contour.directions[static_cast<std::size_t>(j)];
   Vec3<W> difference;
-  if (from.kind == DirectionRecipe::Kind::kVertex && !from.negated &&
-      to.kind == DirectionRecipe::Kind::kVertex && !to.negated) {
-    difference = Edge(from.a, to.a);
+  if (IsVertex(from) && IsVertex(to)) {
+    difference = Edge(source, from.a, to.a);
   } else {
     difference = Point(source, j) - Point(source, i);
   }
@@ -303,15 +340,22 @@ Vec3<W> FrameGeometry<W>::Between(int source, int i, int j) const {
 }
 
 template <class W>
-Vec3<W> FrameGeometry<W>::Edge(int a, int b) const {
-  return ToFrame(TimesTwoTo(
-      Difference<W>(Vertex(contour_, a), Vertex(contour_, b), precision_),
-      -exponent_));
+Vec3<W> FrameGeometry<W>::Scaled(int source, const Point3& a,
+                                 const Point3& b) const {
+  return ToFrame(TimesTwoTo(Difference<W>(a, b, precision_),
+                            -exponents_[static_cast<std::size_t>(source)]));
+}
+
+template <class W>
+Vec3<W> FrameGeometry<W>::Edge(int source, int a, int b) const {
+  return Scaled(source, Vertex(contour_, a), Vertex(contour_, b));
 }
 
 template <class W>
 Vec3<W> FrameGeometry<W>::Plane(int i) const {
-  return ToFrame(planes_[static_cast<std::size_t>(i)]);
+  Vec3<W> normal = ToFrame(planes_[static_cast<std::size_t>(i)]);
+  if (IsHorizon(i)) normal.x = normal.y = FromDouble<W>(0);
+  return normal;
 }
 
 template <class W>

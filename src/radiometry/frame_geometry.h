@@ -16,7 +16,7 @@ namespace truelux {
 ///
 /// Frame: orthonormal and right-handed (u, v, n), n the receiver's normal; an
 /// axis of the scene if n is one, so that nothing is rounded then. Points are
-/// relative to r, all times one power of two.
+/// relative to r, all of one source times one power of two.
 template <class W>
 class FrameGeometry {
  public:
@@ -27,16 +27,17 @@ class FrameGeometry {
   /// Direction i of the contour: a scene vertex as it is, any other one as the
   /// point of the source's plane, so that vertices that are near each other
   /// have a short difference. source: index into contour.sources. z is exactly
-  /// 0 if OnHorizon(i).
+  /// 0 if OnHorizon(i), and never below.
   [[nodiscard]] Vec3<W> Point(int source, int i) const;
 
   /// Point(j) - Point(i): without their rounding if both are scene vertices.
   [[nodiscard]] Vec3<W> Between(int source, int i, int j) const;
 
-  /// b - a for scene vertices.
-  [[nodiscard]] Vec3<W> Edge(int a, int b) const;
+  /// b - a for scene vertices, scaled as the source's points.
+  [[nodiscard]] Vec3<W> Edge(int source, int a, int b) const;
 
-  /// Normal of plane i of the contour, a positive multiple of it.
+  /// Normal of plane i of the contour, a positive multiple of it; exactly along
+  /// z if IsHorizon(i).
   [[nodiscard]] Vec3<W> Plane(int i) const;
 
   /// Whether direction i lies in the receiver plane, exactly.
@@ -60,13 +61,17 @@ class FrameGeometry {
   /// Takes a vector of the scene's axes to the frame.
   [[nodiscard]] Vec3<W> ToFrame(const Vec3<W>& v) const;
 
+  /// b - a in the frame, scaled.
+  [[nodiscard]] Vec3<W> Scaled(int source, const Point3& a,
+                               const Point3& b) const;
+
   void FindFrame();
   void FindHorizon();
   [[nodiscard]] W OntoPlane(int source, int i) const;
 
   WeightedContour contour_;
   mpfr_prec_t precision_;
-  int exponent_ = 0;            ///< points are times 2^-exponent_
+  std::vector<int> exponents_;  ///< a source's points are times 2^-exponent
   int axis_ = -1;               ///< n is +- this axis; -1: n is none
   bool negative_axis_ = false;  ///< the axis' opposite
   Vec3<W> u_;

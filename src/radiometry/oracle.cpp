@@ -102,8 +102,15 @@ Irradiance Answer(const ContourQuery& query, Engine engine,
     ContourQuery each = query;
     each.join_sources = false;
     BuildContour(each, engine, workspace);
-    result = EvaluateContour(each, workspace.contour, evaluation,
-                             workspace.evaluation);
+    const Irradiance joined = std::exchange(
+        result, EvaluateContour(each, workspace.contour, evaluation,
+                                workspace.evaluation));
+    // The whole contours have more arcs, so that they may know less.
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      if (!(joined.bound[channel] < result.bound[channel])) continue;
+      result.value[channel] = joined.value[channel];
+      result.bound[channel] = joined.bound[channel];
+    }
   }
   return result;
 }

@@ -1,5 +1,6 @@
 #include "radiometry/square_clip.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -66,7 +67,7 @@ std::array<SquareSide, 4> SidesOf(const ReceiverView& view, double half_side) {
 /// Cuts a contour by one side after the other.
 class Cutter {
  public:
-  Cutter(const WeightedContour& contour)
+  explicit Cutter(const WeightedContour& contour)
       : view_(contour.view),
         contour_(contour.contour),
         is_cut_(contour.contour.sources.size()) {}
@@ -192,6 +193,8 @@ class Cutter {
 double FormFactorBeyond(double half_side) {
   // The rounded square holds the disc of this radius; the rest is rounding.
   const double radius = half_side * (1 - 0x1p-40);
+  // Its square may overflow, and something is beyond.
+  if (radius > 0x1p500) return 0x1p-999;
   return (1 + 0x1p-40) / (1 + radius * radius);
 }
 

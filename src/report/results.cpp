@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace truelux {
@@ -26,6 +27,10 @@ std::string JsonText(const StageCounts& counts) {
 }  // namespace
 
 void AppendNumber(std::string& text, double value) {
+  if (std::isnan(value)) {
+    text += "nan";  // whatever its sign
+    return;
+  }
   std::array<char, kNumberChars> buffer{};
   const std::to_chars_result end =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
@@ -63,6 +68,7 @@ std::string JsonText(const RunReport& report) {
   line("engine", word(Name(report.options.engine)));
   line("method", word(Name(report.options.method)));
   line("emission", word(Name(report.options.emission)));
+  line("formula", word(Name(report.options.formula)));
   line("load_seconds", Number(report.load_seconds));
   line("evaluate_seconds", Number(report.evaluate_seconds));
   line("threads", fmt::to_string(report.threads));

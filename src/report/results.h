@@ -13,7 +13,7 @@
 namespace truelux {
 
 /// Appends the shortest decimal that reads back to the same binary64; "inf"
-/// for infinity.
+/// for infinity, "nan" for no number.
 void AppendNumber(std::string& text, double value);
 
 /// Names of the result columns, with a comma before each: E_r, E_g, E_b

@@ -118,6 +118,72 @@ TEST_F(Eval, MethodDoubleAddsBoundsThatHold) {
             bound);
 }
 
+TEST_F(Eval, EveryFormulaHasABoundThatHolds) {
+  const std::string table = folder_.Write("in.csv", Table(1));
+  const std::string report = folder_ / "report.json";
+  const double truth = NumberFromBack(Run({table}).out, 2);
+  for (const std::string formula :
+       {"auto", "lambert-acos", "lambert-atan2", "lambert-edge",
+        "vertex-lambert", "image-plane", "directions", "sphere", "projective",
+        "homogeneous", "unified", "difference", "cubature"}) {
+    const Outcome outcome = Run(
+        {table, "--method", "double", "--formula", formula, "--stats", report});
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const double bound = NumberFromBack(outcome.out, 2);
+    EXPECT_GT(bound, 0);
+    EXPECT_LT(bound, 1e-12);
+    EXPECT_LE(std::abs(NumberFromBack(outcome.out, 5) - truth), bound)
+        << formula;
+    EXPECT_NE(ReadFile(report).find("\"formula\": \"" + formula + "\",\n"),
+              std::string::npos);
+  }
+}
+
+TEST_F(Eval, HalfSideCutsAndItsBoundHoldsWhatIsCutOff) {
+  const std::string table = folder_.Write("in.csv", Table(1));
+  const double truth = NumberFromBack(Run({table}).out, 2);
+  for (const std::string formula : {"image-plane", "directions"}) {
+    const Outcome outcome = Run({table, "--method", "double", "--formula",
+                                 formula, "--half-side", "0.5"});
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    const double missing = truth - NumberFromBack(outcome.out, 5);
+    EXPECT_GT(missing, 0.1);
+    EXPECT_LE(missing, NumberFromBack(outcome.out, 2));
+  }
+}
+
+TEST_F(Eval, FormulaThatDoesNotApplyIsNanWithOneNote) {
+  const std::string table =
+      folder_.Write("in.csv", std::string(kHeader) +
+                                  "0,0,0,0,0,1\n0,0,-999,0,0,1\n0,0,2,0,0,1\n"
+                                  "0,0,0.5,0,0,1\n");
+  const Outcome outcome =
+      Run({table, "--method", "double", "--formula", "series"});
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\n0,0,0,0,0,1,nan,nan,0,inf,inf,0\n"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("\n0,0,-999,0,0,1,1."), std::string::npos);
+  EXPECT_NE(outcome.out.find("\n0,0,2,0,0,1,0,0,0,0,0,0\n"), std::string::npos);
+  EXPECT_EQ(outcome.err,
+            "note: 2 of 4 receivers have a source to which the formula series "
+            "does not apply, written as nan\n");
+}
+
+TEST_F(Eval, TooLargeForBinary64IsInfByAnyFormula) {
+  folder_.Write("square.mtl", "newmtl light\nKe 1.7e308 1 0\n");
+  const Outcome outcome =
+      Run({"--at", "0,0,0.99", "--normal", "0,0,1", "--emission", "radiance",
+           "--method", "double", "--formula", "lambert-edge"});
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("0,0,0.99,0,0,1,inf,3."), std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(outcome.err,
+            "note: 1 of 1 receivers has an irradiance too large for "
+            "binary64, written as inf\n");
+}
+
 TEST_F(Eval, FileStandardInputAndThreadsGiveTheSameBytes) {
   const std::string table = folder_.Write("in.csv", Table(3000));
   const std::string reference = Run({table, "--threads", "1"}).out;

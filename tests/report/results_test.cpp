@@ -72,6 +72,7 @@ TEST(Results, ReportIsJsonWithEveryCount) {
   "engine": "contour",
   "method": "double",
   "emission": "exitance",
+  "formula": "auto",
   "load_seconds": 0.5,
   "evaluate_seconds": 1.25,
   "threads": 4,

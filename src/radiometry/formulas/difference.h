@@ -20,7 +20,8 @@ namespace truelux {
 /// beta - sin beta for 0 <= beta <= pi, sine = sin beta: without cancellation.
 template <class T>
 T AngleMinusSine(const T& beta, const T& sine) {
-  if (Leading(beta) > 0.7 || IsZero(beta)) return beta - sine;
+  // Written so that a NaN is not summed for ever.
+  if (!(Leading(beta) <= 0.7) || IsZero(beta)) return beta - sine;
   const T square = beta * beta;
   T term = beta * square / Make<T>(6);
   T sum = term;

@@ -22,22 +22,20 @@ T TowardsInfinity(const ImageVertex<T>& at_infinity,
 }
 
 /// Row 4 for both ends of an edge at infinity with the difference (a, b).
-///
-/// clockwise: the sense of travel. It is the sign of a y - b x, which rounding
-/// may turn over where the ends are nearly opposite; each arctangent is then at
-/// +-pi/2, and the other sign would be a whole turn off.
+/// clockwise: in the image plane; the sign of ay - bx, which must not be left
+/// to rounding: where r is next to the edge, the sum would be off by 2 pi.
 template <class T>
 T AlongInfinity(const ImageVertex<T>& p, const ImageVertex<T>& q,
                 bool clockwise) {
   const T a = q.x - p.x;
   const T b = q.y - p.y;
   // The same for both ends, as (a, b) is their difference.
-  const T signed_across = a * q.y - b * q.x;
-  const T across = NonNegative(clockwise ? signed_across : -signed_across);
+  const T across = a * q.y - b * q.x;
+  const T distance = NonNegative(clockwise ? across : -across);
   const T at_q = a * q.x + b * q.y;
   const T at_p = a * p.x + b * p.y;
-  const T turn = Angle(at_q, across) - Angle(at_p, across);
-  return clockwise ? turn : -turn;
+  const T beta = Angle(at_q, distance) - Angle(at_p, distance);
+  return clockwise ? beta : -beta;
 }
 
 /// The form factor [1] of a region.

@@ -17,11 +17,8 @@ template <class T>
 T Directions(const Boundary<T>& region) {
   T sum = Make<T>(0);
   for (const BoundaryArc<T>& arc : region.arcs) {
-    const ImageVertex<T> p = ImageOf(region.From(arc));
-    const ImageVertex<T> q = ImageOf(region.To(arc));
-    const T a = q.x - p.x;
-    const T b = q.y - p.y;
-    sum = sum + DirectionTerm(q.x, q.y, a, b) - DirectionTerm(p.x, p.y, a, b);
+    sum =
+        PlusFiniteEdge(sum, ImageOf(region.From(arc)), ImageOf(region.To(arc)));
   }
   return sum / (Make<T>(2) * region.pi);
 }

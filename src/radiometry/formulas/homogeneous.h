@@ -53,9 +53,7 @@ T Homogeneous(const Boundary<T>& region) {
     } else if (p.at_infinity) {
       sum = sum + DirectionTerm(q.x, q.y, p.x, p.y) - TowardsInfinity(p, q, pi);
     } else {
-      const T a = q.x - p.x;
-      const T b = q.y - p.y;
-      sum = sum + DirectionTerm(q.x, q.y, a, b) - DirectionTerm(p.x, p.y, a, b);
+      sum = PlusFiniteEdge(sum, p, q);
     }
   }
   return sum / (Make<T>(2) * pi);

@@ -34,6 +34,15 @@ T DirectionTerm(const T& x, const T& y, const T& a, const T& b) {
   return Fraction(k, length) * Angle(a * x + b * y, length);
 }
 
+/// `sum` with what the edge between two finite points adds.
+template <class T>
+T PlusFiniteEdge(const T& sum, const ImageVertex<T>& p,
+                 const ImageVertex<T>& q) {
+  const T a = q.x - p.x;
+  const T b = q.y - p.y;
+  return sum + DirectionTerm(q.x, q.y, a, b) - DirectionTerm(p.x, p.y, a, b);
+}
+
 }  // namespace truelux
 
 #endif  // TRUELUX_RADIOMETRY_FORMULAS_IMAGE_VERTEX_H_

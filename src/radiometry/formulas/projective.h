@@ -65,9 +65,7 @@ T Projective(const Boundary<T>& region) {
       sum = sum + DirectionTerm(q.x, q.y, -p.x, -p.y) +
             TermAtInfinity(q.x, q.y, -p.x, -p.y, pi);
     } else {
-      const T a = q.x - p.x;
-      const T b = q.y - p.y;
-      sum = sum + DirectionTerm(q.x, q.y, a, b) - DirectionTerm(p.x, p.y, a, b);
+      sum = PlusFiniteEdge(sum, p, q);
     }
   }
   return sum / (Make<T>(2) * pi);

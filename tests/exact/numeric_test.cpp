@@ -123,7 +123,7 @@ TEST(NumericOfBall, FractionHoldsTheTruth) {
     ASSERT_TRUE(Holds(fraction, x.truth / y.truth)) << i;
     if (fraction.error == 1) ++unknown;
   }
-  EXPECT_GT(unknown, 100);
+  EXPECT_GT(unknown, 50);
   EXPECT_LT(unknown, kDraws / 2);
 }
 

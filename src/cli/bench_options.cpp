@@ -2,6 +2,7 @@
 #include <string>
 
 #include "cli/cmd_bench.h"
+#include "cli/input_arguments.h"
 
 namespace truelux {
 namespace {
@@ -28,16 +29,8 @@ constexpr const char* kExamples =
     "  truelux bench city.obj - -o city.html --receivers 50 < streets.csv\n";
 
 void AddInputs(CLI::App& command, BenchArguments& arguments) {
-  command
-      .add_option("SCENE.obj", arguments.scene,
-                  "Wavefront OBJ; a face emits Ke of its material")
-      ->type_name("FILE")
-      ->required();
-  command
-      .add_option("RECEIVERS.csv", arguments.receivers,
-                  "table of receivers; - is standard input")
-      ->type_name("FILE")
-      ->required();
+  AddSceneArgument(command, arguments.scene);
+  AddReceiversArgument(command, arguments.receivers).required();
   command
       .add_option("-o,--output", arguments.output,
                   "the report; the tables go beside it")

@@ -17,7 +17,7 @@ namespace truelux {
 /// The words of the command line, before they are looked at.
 struct BenchArguments {
   std::string scene;
-  std::string receivers;
+  std::optional<std::string> receivers;
   std::string output;
   std::string count;
   std::string seed;

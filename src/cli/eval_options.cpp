@@ -10,6 +10,7 @@
 
 #include "cli/cmd_eval.h"
 #include "cli/evaluation.h"
+#include "cli/input_arguments.h"
 #include "report/results.h"
 
 namespace truelux {
@@ -69,15 +70,8 @@ std::string WordsOf(std::span<const Formula> formulas) {
 }
 
 void AddInputs(CLI::App& command, EvalArguments& arguments) {
-  command
-      .add_option("SCENE.obj", arguments.scene,
-                  "Wavefront OBJ; a face emits Ke of its material")
-      ->type_name("FILE")
-      ->required();
-  command
-      .add_option("RECEIVERS.csv", arguments.receivers,
-                  "table of receivers; - is standard input")
-      ->type_name("FILE");
+  AddSceneArgument(command, arguments.scene);
+  AddReceiversArgument(command, arguments.receivers);
   command.add_option("--at", arguments.at, "one receiver: its point")
       ->type_name("x,y,z");
   command.add_option("--normal", arguments.normal, "with --at: its normal")

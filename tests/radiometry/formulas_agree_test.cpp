@@ -37,22 +37,31 @@ Receiver ReceiverOf(const std::vector<double>& row) {
   return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, 0};
 }
 
-class FormulasAgree : public ::testing::TestWithParam<std::string> {};
-
-TEST_P(FormulasAgree, ToSixtyDigits) {
-  const auto folder = CaseFolder(GetParam());
+/// Calls look(visible contour, with every source's weight 1) for each receiver
+/// of a case.
+template <class Look>
+void LookAtEach(const std::string& name, const Look& look) {
+  const auto folder = CaseFolder(name);
   const Result<Scene> scene = ReadScene(folder / "scene.obj");
   ASSERT_TRUE(scene.ok());
   const ContourEngine engine(*scene.value);
   ContourBuilder builder(engine);
   Contour contour;
-  int sources = 0;
-  int unbounded = 0;
   for (const auto& row : ReadNumbers(folder / "expected.csv")) {
     const ContourQuery query{*scene.value, ReceiverOf(row), 0};
     builder.Build(query, contour);
     const std::vector<Rgb> weights(contour.sources.size(), {1, 1, 1});
     const WeightedContour weighted{ViewOf(query), contour, weights};
+    look(weighted);
+  }
+}
+
+class FormulasAgree : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(FormulasAgree, ToSixtyDigits) {
+  int sources = 0;
+  int unbounded = 0;
+  LookAtEach(GetParam(), [&](const WeightedContour& weighted) {
     FormulaEvaluation<Multiprecision> formulas(weighted, 0x1p20, 1024);
     for (const Formula formula : kClosedForms)
       formulas.Prepare(formula);
@@ -83,7 +92,7 @@ TEST_P(FormulasAgree, ToSixtyDigits) {
             << Name(formula) << " source " << i;
       }
     }
-  }
+  });
   RecordProperty("sources", sources);
   RecordProperty("cut", unbounded);
 }
@@ -91,19 +100,10 @@ TEST_P(FormulasAgree, ToSixtyDigits) {
 /// What is not closed is as close as it says. 300 bits, as the cubature takes
 /// many points, and heights of 1e-17 lose as much.
 TEST_P(FormulasAgree, UpToTruncation) {
-  const auto folder = CaseFolder(GetParam());
-  const Result<Scene> scene = ReadScene(folder / "scene.obj");
-  ASSERT_TRUE(scene.ok());
-  const ContourEngine engine(*scene.value);
-  ContourBuilder builder(engine);
-  Contour contour;
   int applicable = 0;
   constexpr int kMaxSources = 20;
-  for (const auto& row : ReadNumbers(folder / "expected.csv")) {
-    const ContourQuery query{*scene.value, ReceiverOf(row), 0};
-    builder.Build(query, contour);
-    const std::vector<Rgb> weights(contour.sources.size(), {1, 1, 1});
-    const WeightedContour weighted{ViewOf(query), contour, weights};
+  LookAtEach(GetParam(), [&](const WeightedContour& weighted) {
+    if (applicable > 2 * kMaxSources) return;
     FormulaEvaluation<Multiprecision> formulas(weighted, 0x1p20, 300);
     for (const Formula formula : {Formula::kSeries, Formula::kCubature})
       formulas.Prepare(formula);
@@ -123,7 +123,7 @@ TEST_P(FormulasAgree, UpToTruncation) {
       }
       if (applicable > 2 * kMaxSources) return;
     }
-  }
+  });
   RecordProperty("applicable", applicable);
 }
 

@@ -11,24 +11,17 @@
 #ifndef TRUELUX_RADIOMETRY_FORMULAS_LAMBERT_ACOS_H_
 #define TRUELUX_RADIOMETRY_FORMULAS_LAMBERT_ACOS_H_
 
-#include "radiometry/boundary.h"
+#include "radiometry/formulas/lambert_sum.h"
 
 namespace truelux {
 
 /// The form factor [1] of a region.
 template <class T>
 T LambertAcos(const Boundary<T>& region) {
-  T sum = Make<T>(0);
-  for (const BoundaryArc<T>& arc : region.arcs) {
-    const Vec3<T>& v = region.From(arc).point;
-    const Vec3<T>& w = region.To(arc).point;
-    const Vec3<T> normal = Cross(v, w);
-    const T length = Length(normal);
-    if (IsZero(length)) continue;
-    const T beta = ArcCosine(Dot(Unit(v), Unit(w)));
-    sum = sum - beta * Fraction(normal.z, length);
-  }
-  return sum / (Make<T>(2) * region.pi);
+  return LambertSum(
+      region, [](const Vec3<T>& v, const Vec3<T>& w, const T& /*length*/) {
+        return ArcCosine(Dot(Unit(v), Unit(w)));
+      });
 }
 
 }  // namespace truelux

@@ -8,23 +8,17 @@
 #ifndef TRUELUX_RADIOMETRY_FORMULAS_LAMBERT_ATAN2_H_
 #define TRUELUX_RADIOMETRY_FORMULAS_LAMBERT_ATAN2_H_
 
-#include "radiometry/boundary.h"
+#include "radiometry/formulas/lambert_sum.h"
 
 namespace truelux {
 
 /// The form factor [1] of a region.
 template <class T>
 T LambertAtan2(const Boundary<T>& region) {
-  T sum = Make<T>(0);
-  for (const BoundaryArc<T>& arc : region.arcs) {
-    const Vec3<T>& v = region.From(arc).point;
-    const Vec3<T>& w = region.To(arc).point;
-    const Vec3<T> normal = Cross(v, w);
-    const T length = Length(normal);
-    if (IsZero(length)) continue;
-    sum = sum - Angle(length, Dot(v, w)) * Fraction(normal.z, length);
-  }
-  return sum / (Make<T>(2) * region.pi);
+  return LambertSum(region,
+                    [](const Vec3<T>& v, const Vec3<T>& w, const T& length) {
+                      return Angle(length, Dot(v, w));
+                    });
 }
 
 }  // namespace truelux

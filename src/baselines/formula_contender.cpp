@@ -37,8 +37,7 @@ void FindContours(State& state, std::span<const Receiver> receivers,
   for (const Receiver& receiver : receivers) {
     SeenSources& next = seen.emplace_back(ContourQuery{scene, receiver, 0});
     state.builder.Build(next.query, next.contour);
-    for (const SourceArcs& source : next.contour.sources)
-      next.weights.push_back(WeightOf(next.query, source.facet));
+    FindWeights(next.query, next.contour, next.weights);
   }
 }
 
@@ -55,8 +54,8 @@ Contender MakeContender(const Scene& scene, Formula formula) {
     std::vector<std::unique_ptr<FormulaEvaluation<T>>> formulas;
     for (const SeenSources& s : seen) {
       formulas.push_back(std::make_unique<FormulaEvaluation<T>>(
-          WeightedContour{ViewOf(s.query), s.contour, s.weights}, 0x1p20,
-          kPrecision));
+          WeightedContour{ViewOf(s.query), s.contour, s.weights},
+          EvaluationQuery{}.half_side, kPrecision));
       formulas.back()->Prepare(formula);
     }
     *not_counted += ThreadSeconds() - start;

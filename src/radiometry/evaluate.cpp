@@ -6,23 +6,18 @@
 #include "radiometry/weighted_contour.h"
 
 namespace truelux {
-namespace {
+Rgb WeightOf(const ContourQuery& query, int facet) {
+  if (query.only_source != 0) return {1, 1, 1};
+  const int face = query.scene.facets()[static_cast<std::size_t>(facet)].face;
+  return query.scene.faces()[static_cast<std::size_t>(face)].emission;
+}
 
-/// The emission of every source of the contour.
 void FindWeights(const ContourQuery& query, const Contour& contour,
                  std::vector<Rgb>& weights) {
   weights.clear();
   for (const SourceArcs& source : contour.sources) {
     weights.push_back(WeightOf(query, source.facet));
   }
-}
-
-}  // namespace
-
-Rgb WeightOf(const ContourQuery& query, int facet) {
-  if (query.only_source != 0) return {1, 1, 1};
-  const int face = query.scene.facets()[static_cast<std::size_t>(facet)].face;
-  return query.scene.faces()[static_cast<std::size_t>(face)].emission;
 }
 
 Irradiance EvaluateContour(const ContourQuery& query, const Contour& contour,

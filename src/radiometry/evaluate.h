@@ -3,6 +3,8 @@
 #ifndef TRUELUX_RADIOMETRY_EVALUATE_H_
 #define TRUELUX_RADIOMETRY_EVALUATE_H_
 
+#include <vector>
+
 #include "truelux/irradiance.h"
 
 #include "visibility/contour.h"
@@ -32,6 +34,10 @@ bool HasWideBound(const Irradiance& result);
 /// What a facet's light is weighted with, as a source of this query: the
 /// emission of its face, or 1 if query.only_source is set.
 Rgb WeightOf(const ContourQuery& query, int facet);
+
+/// Makes `weights` those of the contour's sources, one after the other.
+void FindWeights(const ContourQuery& query, const Contour& contour,
+                 std::vector<Rgb>& weights);
 
 /// Sum over the contour's sources of M_source * F_source, per channel, where
 /// M is the emission of the source's face (or 1 if query.only_source is set).

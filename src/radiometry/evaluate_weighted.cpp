@@ -99,15 +99,15 @@ Irradiance EvaluateWeighted(const WeightedContour& contour,
     result.statistics.evaluated_zero = 1;
     return result;
   }
-  const std::vector<bool> on_horizon = SumsOverVertices(evaluation.formula)
-                                           ? PlanesOnHorizon(contour)
-                                           : std::vector<bool>();
   if (evaluation.method == Method::kDouble &&
       evaluation.formula != Formula::kAuto) {
     TakeAll(EvaluateByFormula(contour, evaluation), open, result);
     result.statistics.evaluated_double = 1;
     return result;
   }
+  const std::vector<bool> on_horizon = SumsOverVertices(evaluation.formula)
+                                           ? PlanesOnHorizon(contour)
+                                           : std::vector<bool>();
   if (evaluation.method == Method::kDouble) {
     TakeBounded(
         EvaluateInBalls(contour, evaluation, on_horizon, workspace.plain), open,

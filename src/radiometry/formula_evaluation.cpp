@@ -52,14 +52,17 @@ T ClosedForm(Formula formula, const Boundary<T>& region) {
   throw std::logic_error("this formula is no closed form");
 }
 
-/// The rules of the types whose precision is fixed are constants.
+/// The rules of the types whose precision is fixed are made once.
 template <class T>
-std::unique_ptr<const GaussRules<T>> RulesFor(mpfr_prec_t precision) {
+std::shared_ptr<const GaussRules<T>> RulesFor(mpfr_prec_t precision) {
+  const auto make = [precision] {
+    return std::make_shared<const GaussRules<T>>(MakeGaussRules<T>(precision));
+  };
   if constexpr (std::is_same_v<T, Multiprecision>) {
-    return std::make_unique<const GaussRules<T>>(MakeGaussRules<T>(precision));
+    return make();
   } else {
-    static const GaussRules<T> rules = MakeGaussRules<T>(0);
-    return std::make_unique<const GaussRules<T>>(rules);
+    static const std::shared_ptr<const GaussRules<T>> rules = make();
+    return rules;
   }
 }
 
@@ -123,7 +126,8 @@ auto FormulaEvaluation<T>::RegionsOf(const FrameGeometry<W>& geometry,
 template <class T>
 auto FormulaEvaluation<T>::RegionsFor(Formula formula) const -> const Regions& {
   if (NeedsBoundedRegion(formula)) return bounded_;
-  return NeedsFan(formula) ? with_fan_ : plain_;
+  // Regions with a fan serve all formulas.
+  return NeedsFan(formula) || !with_fan_.empty() ? with_fan_ : plain_;
 }
 
 template <class T>

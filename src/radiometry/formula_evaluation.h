@@ -74,7 +74,7 @@ class FormulaEvaluation {
   Regions with_fan_;
   std::unique_ptr<const BoundedContour> bounded_contour_;
   Regions bounded_;
-  std::unique_ptr<const GaussRules<T>> rules_;
+  std::shared_ptr<const GaussRules<T>> rules_;
 };
 
 }  // namespace truelux

@@ -37,12 +37,8 @@ std::array<Ball<double>, 3> EvaluateByFormula(
     const WeightedContour& contour, const EvaluationQuery& evaluation) {
   const bool is_auto = evaluation.formula == Formula::kAuto;
   FormulaEvaluation<B> formulas(contour, evaluation.half_side);
-  if (is_auto) {
-    for (const Formula formula : kCandidates)
-      formulas.Prepare(formula);
-  } else {
-    formulas.Prepare(evaluation.formula);
-  }
+  // What the series needs serves all candidates.
+  formulas.Prepare(is_auto ? Formula::kSeries : evaluation.formula);
   ChannelSums<double> sums(contour);
   for (std::size_t i = 0; i < formulas.lit().size(); ++i) {
     const auto source = static_cast<std::size_t>(formulas.lit()[i]);

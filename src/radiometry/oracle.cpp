@@ -180,8 +180,7 @@ std::optional<Rgb> Oracle::EvaluateFormula(const Receiver& receiver,
   BuildContour(query, options_.engine, *workspace);
   const truelux::Contour& contour = workspace->contour;
   std::vector<Rgb> weights;
-  for (const SourceArcs& source : contour.sources)
-    weights.push_back(WeightOf(query, source.facet));
+  FindWeights(query, contour, weights);
   const auto sum = [&]<class T>(T /*number type*/) {
     FormulaEvaluation<T> formulas({ViewOf(query), contour, weights},
                                   options_.half_side, precision);

@@ -35,8 +35,7 @@ struct Measured {
   bool passes = true;
 };
 
-Measured Measure(double value, double truth, double largest,
-                 double tolerance) {
+Measured Measure(double value, double truth, double largest, double tolerance) {
   if (value == truth) return {};
   if (IsNan(value) || std::isinf(value) || std::isinf(truth))
     return {kInfinity, false};

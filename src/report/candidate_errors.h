@@ -114,7 +114,8 @@ struct CandidateSummary {
   }
 };
 
-[[nodiscard]] CandidateSummary Summarize(std::span<const CandidateError> errors);
+[[nodiscard]] CandidateSummary Summarize(
+    std::span<const CandidateError> errors);
 
 /// The indices of the receivers with the largest excess, at most `most`,
 /// largest first; of equal ones the first. Exact ones are left out.

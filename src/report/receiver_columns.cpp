@@ -95,10 +95,10 @@ std::optional<Receiver> ReceiverColumns::Parse(
     std::vector<Diagnostic>& defects) const {
   const std::size_t defects_before = defects.size();
   if (!HasAllFields(row)) {
-    defects.push_back(csv.Error(
-        row.line(0),
-        fmt::format("{} field{}, but the header has {}", row.size(),
-                    row.size() == 1 ? "" : "s", column_count_)));
+    defects.push_back(
+        csv.Error(row.line(0),
+                  fmt::format("{} field{}, but the header has {}", row.size(),
+                              row.size() == 1 ? "" : "s", column_count_)));
     return std::nullopt;
   }
   std::array<std::string, 6> texts;
@@ -108,8 +108,8 @@ std::optional<Receiver> ReceiverColumns::Parse(
   std::vector<FieldDefect> field_defects;
   Receiver receiver = ParseReceiver(texts, field_defects);
   for (FieldDefect& defect : field_defects) {
-    defects.push_back(csv.Error(row.line(columns_[defect.index]),
-                                std::move(defect.message)));
+    defects.push_back(
+        csv.Error(row.line(columns_[defect.index]), std::move(defect.message)));
   }
   if (on_face_column_) {
     std::string message;

@@ -28,10 +28,10 @@ bool ReceiverReader::ReadHeader(std::vector<Diagnostic>& defects) {
   for (std::size_t i = 0; i < record_.size(); ++i) {
     const std::string name = record_.Value(i);
     if (!IsResultColumn(name)) continue;
-    defects.push_back(csv_.Error(
-        record_.line(i),
-        fmt::format("column {} has the name of a result; rename it",
-                    Quoted(name))));
+    defects.push_back(
+        csv_.Error(record_.line(i),
+                   fmt::format("column {} has the name of a result; rename it",
+                               Quoted(name))));
   }
   columns_.Find(csv_, record_, defects);
   return defects.size() == defects_before;

@@ -35,6 +35,10 @@ struct ChartView {
 std::vector<ChartView> ChartViewsOf(const ContourQuery& query,
                                     std::span<const FacetView> views);
 
+/// All four charts with closed walls, whatever they hold.
+std::vector<ChartView> WholeChartViewsOf(const ContourQuery& query,
+                                         std::span<const FacetView> views);
+
 }  // namespace truelux
 
 #endif  // TRUELUX_VISIBILITY_ARRANGEMENT_VIEW_H_

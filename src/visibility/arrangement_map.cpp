@@ -131,8 +131,8 @@ class MapBuilder {
     const Corners corners = {Kernel::Point_2(0, 0), Kernel::Point_2(1, 0),
                              Kernel::Point_2(0, 1)};
     for (std::size_t k = 0; k < 3; ++k) {
-      curves_.emplace_back(
-          Kernel::Segment_2(corners[k], corners[(k + 1) % 3]), TriangleIds{});
+      curves_.emplace_back(Kernel::Segment_2(corners[k], corners[(k + 1) % 3]),
+                           TriangleIds{});
     }
   }
 

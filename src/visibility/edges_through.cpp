@@ -269,10 +269,9 @@ std::vector<EdgeHit> EdgesThrough::NotBehind(int facet) const {
     for (std::size_t j = i + 1; j < triangles_.size(); ++j) {
       auto meeting = MeetingAt(s, triangles_[j]);
       if (!meeting) continue;
-      const bool is_edge =
-          std::ranges::any_of(passing_, [&](const Passing& p) {
-            return IsZero(Cross(edges_[Index(p.edge)].plane, meeting->plane));
-          });
+      const bool is_edge = std::ranges::any_of(passing_, [&](const Passing& p) {
+        return IsZero(Cross(edges_[Index(p.edge)].plane, meeting->plane));
+      });
       if (!is_edge) hits.push_back(*std::move(meeting));
     }
   }

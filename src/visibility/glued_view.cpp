@@ -53,9 +53,9 @@ struct CutPiece {
 /// The quarter of a great circle from the receiver's normal to the horizon
 /// that two charts share.
 struct Cut {
-  Vec3<Exact> normal;            ///< normal x its end on the horizon
-  std::vector<CutPiece> left;    ///< of the chart on the side of `normal`
-  std::vector<CutPiece> right;   ///< of the other
+  Vec3<Exact> normal;           ///< normal x its end on the horizon
+  std::vector<CutPiece> left;   ///< of the chart on the side of `normal`
+  std::vector<CutPiece> right;  ///< of the other
 };
 
 class Gluing {
@@ -93,8 +93,7 @@ class Gluing {
     const auto [entry, is_new] =
         index_.try_emplace(key, static_cast<int>(view_.vertices.size()));
     if (is_new) {
-      const bool on_horizon =
-          Dot(exact_.ReceiverNormal(), direction).is_zero();
+      const bool on_horizon = Dot(exact_.ReceiverNormal(), direction).is_zero();
       view_.vertices.push_back({direction, std::move(key), on_horizon, {}});
     }
     return entry->second;
@@ -126,8 +125,7 @@ class Gluing {
   }
 
   /// piece: with its chart on the left, whichever end is first.
-  void AddCutPiece(const ChartView& view, const MapEdge& edge,
-                   CutPiece piece) {
+  void AddCutPiece(const ChartView& view, const MapEdge& edge, CutPiece piece) {
     const ViewMap& map = view.map;
     const bool on_a = ViewChart::OnCutA(map.vertices[Index(edge.from)]) &&
                       ViewChart::OnCutA(map.vertices[Index(edge.to)]);
@@ -190,7 +188,7 @@ class Gluing {
       return;
     }
     view_.arcs.push_back(
-        {from, to, left.facet, right.facet, left.part, right.part});
+        {from, to, left.facet, right.facet, left.part, right.part, from, to});
   }
 
   /// In the order of the arcs that bound them.
@@ -215,9 +213,9 @@ class Gluing {
   RecipeEvaluator<Exact> exact_;
   GluedView view_;
   std::map<PrimitiveVector, int> index_;
-  Partition partition_;  ///< the parts of all charts
+  Partition partition_;                  ///< the parts of all charts
   std::map<PrimitiveVector, Cut> cuts_;  ///< by their ends on the horizon
-  std::vector<int> part_of_;    ///< per part of the chart being added
+  std::vector<int> part_of_;             ///< per part of the chart being added
   std::vector<int> vertex_of_;  ///< per vertex of the chart being added
 };
 

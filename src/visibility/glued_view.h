@@ -32,6 +32,9 @@ struct GluedArc {
   int right = -1;
   int left_region = -1;   ///< number of the region, from 0
   int right_region = -1;  ///< -1: below the horizon
+  /// A part of it, in its sense, in which nothing changes on either side.
+  int piece_from = -1;
+  int piece_to = -1;
 
   [[nodiscard]] bool on_horizon() const { return right == kOutside; }
 };

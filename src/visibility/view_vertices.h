@@ -3,6 +3,7 @@
 #ifndef TRUELUX_VISIBILITY_VIEW_VERTICES_H_
 #define TRUELUX_VISIBILITY_VIEW_VERTICES_H_
 
+#include <set>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,12 @@
 
 namespace truelux {
 
+/// Where the arcs of a view end: per vertex their indices, one that starts and
+/// ends there twice.
+using ArcsAround = std::vector<std::vector<int>>;
+
+ArcsAround ArcsAroundVertices(const GluedView& view);
+
 /// Classifies the vertices of a view and joins the arcs that go on straight.
 class ViewVertices {
  public:
@@ -20,25 +27,30 @@ class ViewVertices {
                EdgesThrough& edges);
 
   /// Joins two arcs where nothing but they meet, one goes on as the other, and
-  /// no scene vertex is there that could show. An arc may become as long as
-  /// the horizon: then it has from = to, -1 if no vertex is left on it.
+  /// no scene vertex is there that could show. An arc of the horizon may become
+  /// the whole of it: then from = to, -1 if no vertex is left on it. Vertices
+  /// where no arc is left stay.
   void JoinArcs(GluedView& view);
 
-  /// What a vertex is. arcs: those that end there.
-  WholeViewVertex Classify(const GluedVertex& vertex,
-                           std::span<const GluedArc> arcs_there, int index);
+  /// What a vertex is. arcs: the indices of those that end there.
+  WholeViewVertex Classify(const GluedView& view, int vertex,
+                           std::span<const int> arcs);
 
  private:
   [[nodiscard]] bool IsSource(int facet) const;
-  [[nodiscard]] int FaceOf(int facet) const;
-  [[nodiscard]] bool IsStraight(const GluedView& view, const GluedArc& a,
-                                const GluedArc& b, int vertex) const;
+  [[nodiscard]] bool CanJoin(const GluedView& view, int vertex,
+                             std::span<const int> arcs);
+  [[nodiscard]] bool PassesStraight(const GluedView& view, int vertex,
+                                    std::span<const int> arcs) const;
   WholeViewVertex Describe(const GluedVertex& vertex, bool bounds_source);
-  [[nodiscard]] int Farthest(const GluedVertex& vertex) const;
+  [[nodiscard]] std::vector<EdgeHit> HitsOf(const GluedVertex& vertex,
+                                            bool bounds_source);
 
   const ContourQuery& query_;
   std::span<const FacetView> views_;
   EdgesThrough& edges_;
+  RecipeEvaluator<Exact> exact_;
+  std::set<PrimitiveVector> scene_vertices_;  ///< the directions to them
 };
 
 }  // namespace truelux

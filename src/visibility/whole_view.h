@@ -2,7 +2,7 @@
 // the arcs between them, and the vertices where arcs meet.
 //
 // The geometry is found exactly, by the arrangement engine; the directions and
-// planes here are rounded. No trace of the engine's charts is left.
+// planes here are rounded (two vertices may then have equal directions). No trace of the engine's charts is left.
 
 #ifndef TRUELUX_VISIBILITY_WHOLE_VIEW_H_
 #define TRUELUX_VISIBILITY_WHOLE_VIEW_H_
@@ -30,11 +30,11 @@ enum class ViewArcKind {
 
 /// Part of a great circle between two regions.
 struct WholeViewArc {
-  /// Indices into WholeView::vertices. Only arcs on the horizon can be as long
-  /// as pi or longer; one that is the whole horizon has from = to = -1, or, if
-  /// one vertex lies there, from = to = that vertex.
+  /// Indices into WholeView::vertices. An arc that is the whole horizon has
+  /// from = to = -1, or, if one vertex lies there, from = to = that vertex.
   int from = -1;
   int to = -1;
+  bool at_least_pi = false;  ///< so long; only arcs on the horizon can be
   /// Unit-free normal of its plane, largest component 1 in absolute value,
   /// each within 1 ulp. The arc runs counter-clockwise about it, and it points
   /// to the left region. On the horizon: along the receiver's normal.
@@ -52,8 +52,8 @@ struct ViewLoop {
 
 /// A connected part of the hemisphere in which one face is seen, or nothing.
 struct ViewRegion {
-  int face = 0;   ///< its number (1-based), 0: nothing
-  int facet = -1;  ///< the first of its facets seen there, -1: nothing
+  int face = 0;        ///< its number (1-based), 0: nothing
+  int facet = -1;      ///< the first of its facets seen there, -1: nothing
   bool front = false;  ///< the receiver is in front of that facet
   std::vector<ViewLoop> loops;
 };

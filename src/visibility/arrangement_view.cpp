@@ -94,14 +94,11 @@ std::vector<ChartView> ChartViewsOf(const ContourQuery& query,
   return charts;
 }
 
-std::vector<ChartView> WholeChartViewsOf(const ContourQuery& query,
-                                         std::span<const FacetView> views) {
-  std::vector<ChartView> charts;
-  for (const ViewChart& chart : ViewChartsOf(query.receiver.normal)) {
-    charts.push_back(
-        {chart, FrontMost(ImageOf(query, views, chart), MapWalls::kClosed)});
-  }
-  return charts;
+ChartView WholeChartViewOf(const ContourQuery& query,
+                           std::span<const FacetView> views,
+                           std::size_t chart) {
+  const ViewChart own = ViewChartsOf(query.receiver.normal)[chart];
+  return {own, FrontMost(ImageOf(query, views, own), MapWalls::kClosed)};
 }
 
 }  // namespace truelux

@@ -47,7 +47,7 @@ struct GluedView {
   int region_count = 0;
 };
 
-/// charts: WholeChartViewsOf the same query.
+/// charts: WholeChartViewOf the same query, all four.
 GluedView Glue(const ContourQuery& query, std::span<const ChartView> charts);
 
 }  // namespace truelux

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "visibility/coincidence.h"
+
 namespace truelux {
 namespace {
 
@@ -29,21 +31,6 @@ bool IsStraight(const Vec3<Exact>& before, const Vec3<Exact>& here,
 GluedArc Turned(const GluedArc& a) {
   return {a.to,           a.from,        a.right,    a.left,
           a.right_region, a.left_region, a.piece_to, a.piece_from};
-}
-
-/// What coincides in the direction of a vertex.
-struct Coincidence {
-  std::set<PrimitiveVector> planes;  ///< of edges, without sign
-  std::set<int> vertices;            ///< scene vertices exactly there
-  bool passed = false;  ///< an edge passes that does not end at such a vertex
-};
-
-/// As ContourVertex::conjunctive tells.
-bool IsConjunctive(const Coincidence& c, bool on_horizon) {
-  const std::size_t edges = c.planes.size();
-  if (on_horizon) return !c.vertices.empty() || edges > 1;
-  if (c.vertices.size() > 1) return true;
-  return c.vertices.empty() ? edges > 2 : c.passed;
 }
 
 }  // namespace
@@ -191,30 +178,15 @@ WholeViewVertex ViewVertices::Describe(const GluedVertex& vertex,
   Coincidence c;
   WholeViewVertex result;
   const Vec3<Exact> normal = exact_.ReceiverNormal();
-  for (EdgeHit& hit : HitsOf(vertex, bounds_source)) {
-    const Vec3<Exact> turn = Cross(hit.plane, normal);
-    if (!Dot(turn, turn).is_zero())
-      c.planes.insert(WithoutSign(MakePrimitive(hit.plane)));
-    if (hit.vertex >= 0) {
-      c.vertices.insert(hit.vertex);
-    } else {
-      c.passed = true;
-    }
+  for (const EdgeHit& hit : HitsOf(vertex, bounds_source)) {
+    c.Add(hit.plane, hit.vertex, normal);
     result.edges.push_back(hit.edge);
   }
   std::ranges::sort(result.edges);
   const auto rest = std::ranges::unique(result.edges);
   result.edges.erase(rest.begin(), rest.end());
-  ContourVertex& v = result.vertex;
-  v.direction = ToDouble(vertex.key);
-  v.conjunctive = IsConjunctive(c, vertex.on_horizon);
-  v.planes = static_cast<int>(c.planes.size()) + (vertex.on_horizon ? 1 : 0);
-  if (!c.vertices.empty()) {
-    v.kind = VertexKind::kIntrinsic;
-    v.vertex = *c.vertices.begin();
-  } else if (vertex.on_horizon) {
-    v.kind = VertexKind::kHorizon;
-  }
+  result.vertex.direction = ToDouble(vertex.key);
+  c.Describe(vertex.on_horizon, result.vertex);
   result.bounds_source = bounds_source;
   return result;
 }

@@ -177,9 +177,17 @@ class ViewAssembly {
 
 }  // namespace
 
-WholeView WholeViewOf(const ContourQuery& query) {
+WholeView WholeViewOf(const ContourQuery& query,
+                      const std::function<void(int)>& on_step) {
+  constexpr int kCharts = kWholeViewSteps - 1;
   const std::vector<FacetView> views = FacetViewsOf(query);
-  GluedView glued = Glue(query, WholeChartViewsOf(query, views));
+  std::vector<ChartView> charts;
+  for (int chart = 0; chart < kCharts; ++chart) {
+    if (on_step) on_step(chart);
+    charts.push_back(WholeChartViewOf(query, views, Index(chart)));
+  }
+  if (on_step) on_step(kCharts);
+  GluedView glued = Glue(query, charts);
   EdgesThrough edges(query, views);
   ViewVertices vertices(query, views, edges);
   vertices.JoinArcs(glued);

@@ -7,6 +7,7 @@
 #ifndef TRUELUX_VISIBILITY_WHOLE_VIEW_H_
 #define TRUELUX_VISIBILITY_WHOLE_VIEW_H_
 
+#include <functional>
 #include <vector>
 
 #include "truelux/visibility.h"
@@ -75,8 +76,12 @@ struct WholeView {
 };
 
 /// The view of the query's receiver. Faces that the receiver ignores are not
-/// there. Slow: see the arrangement engine.
-WholeView WholeViewOf(const ContourQuery& query);
+/// there. Slow: see the arrangement engine. on_step is called with the number of
+/// steps done, 0 to kWholeViewSteps - 1; what it throws ends it.
+WholeView WholeViewOf(const ContourQuery& query,
+                      const std::function<void(int)>& on_step = {});
+
+inline constexpr int kWholeViewSteps = 5;
 
 }  // namespace truelux
 

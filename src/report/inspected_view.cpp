@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
+#include <functional>
 #include <map>
 
 #include "report/view_measure.h"
@@ -35,7 +36,7 @@ std::string SourceColour(const Rgb& emission) {
   const double smallest = *std::ranges::min_element(emission);
   constexpr double kNearlyWhite = 0.8;
   if (smallest > kNearlyWhite * largest) return "#ffe680";
-  constexpr double kWhite = 0.18;
+  constexpr double kWhite = 0.35;
   std::array<double, 3> colour{};
   for (std::size_t c = 0; c < 3; ++c)
     colour[c] = kWhite + (1 - kWhite) * emission[c] / largest;

@@ -108,6 +108,7 @@ Json JsonOf(const InspectedView& inspected, const WholeViewVertex& vertex) {
   json["kind"] = Name(v.kind);
   json["conjunctive"] = v.conjunctive;
   json["coinciding_edges"] = v.planes;
+  json["with_hidden_edges"] = vertex.planes_with_hidden;
   json["direction"] = JsonOf(v.direction);
   json["scene_vertex"] = IndexOrNull(v.vertex);
   json["position"] = nullptr;

@@ -107,8 +107,8 @@ std::string StrokeOf(ViewArcKind kind, bool dense) {
   std::string more;
   switch (kind) {
     case ViewArcKind::kInner:
-      width = 0.6;
-      more = " stroke-opacity=\"0.45\"";
+      width = dense ? 0.6 : 1;
+      more = " stroke-opacity=\"0.5\"";
       break;
     case ViewArcKind::kHorizon:
       width = 2.2 / factor;

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
+#include <functional>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "report/label_layout.h"
@@ -205,12 +207,50 @@ class ViewDrawing {
         const auto at = PlaceOf(v);
         if (!at) continue;
         svg_ += SvgViewMark(mark, *at, false, TitleOfVertex(inspected_, v));
-        if (conjunctive)
+        // Labels may cover the marks of others where these are many.
+        if (conjunctive || MarkScale() == 1)
           layout.Avoid({at->x - 5, at->y - 5, at->x + 5, at->y + 5});
       }
     }
     svg_ += "</g>\n";
     AddLabels(layout);
+  }
+
+  /// Those with the most edges first: they find a place for their label.
+  [[nodiscard]] std::vector<std::size_t> ConjunctiveVertices() const {
+    std::vector<std::size_t> found;
+    for (std::size_t v = 0; v < inspected_.view.vertices.size(); ++v) {
+      if (inspected_.view.vertices[v].vertex.conjunctive) found.push_back(v);
+    }
+    std::ranges::stable_sort(found, std::greater(), [this](std::size_t v) {
+      return inspected_.view.vertices[v].vertex.planes;
+    });
+    return found;
+  }
+
+  /// Beside its vertex or, if that is crowded, at the end of a line from it.
+  void AddLabel(const PicturePoint& at, int edges, LabelLayout& layout) {
+    constexpr int kSize = 13;
+    constexpr std::array kFarther = {0.0, 16.0, 30.0, 46.0};
+    constexpr int kDirections = 8;
+    const std::string text = std::to_string(edges);
+    for (const double distance : kFarther) {
+      for (int i = 0; i < (distance > 0 ? kDirections : 1); ++i) {
+        const double angle = 2 * std::numbers::pi * (i + 0.5) / kDirections;
+        const double x = at.x + distance * std::cos(angle);
+        const double y = at.y - distance * std::sin(angle);
+        const auto place = layout.Place(x, y, text, kSize);
+        if (!place) continue;
+        if (distance > 0) {
+          svg_ += fmt::format(
+              "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"{}\""
+              " stroke-width=\"1\"/>\n",
+              at.x, at.y, x, y, kConjunctionColour);
+        }
+        svg_ += SvgText(place->x, place->y, place->anchor, kSize, text);
+        return;
+      }
+    }
   }
 
   void AddLabels(LabelLayout& layout) {
@@ -219,14 +259,9 @@ class ViewDrawing {
         " stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\""
         " pointer-events=\"none\">\n",
         kConjunctionColour);
-    for (std::size_t v = 0; v < inspected_.view.vertices.size(); ++v) {
-      const ContourVertex& vertex = inspected_.view.vertices[v].vertex;
-      if (!vertex.conjunctive) continue;
+    for (const std::size_t v : ConjunctiveVertices()) {
       const auto at = PlaceOf(v);
-      if (!at) continue;
-      const std::string text = std::to_string(vertex.planes);
-      const auto place = layout.Place(at->x, at->y, text, 13);
-      if (place) svg_ += SvgText(place->x, place->y, place->anchor, 13, text);
+      if (at) AddLabel(*at, inspected_.view.vertices[v].vertex.planes, layout);
     }
     svg_ +=
         "</g>\n<g id=\"ring-labels\" fill=\"#444444\" stroke=\"#ffffff\""

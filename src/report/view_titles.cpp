@@ -40,11 +40,14 @@ std::string TitleOfArc(const InspectedView& inspected, std::size_t arc) {
 std::string TitleOfVertex(const InspectedView& inspected, std::size_t vertex) {
   constexpr std::size_t kMostEdges = 10;
   const WholeViewVertex& v = inspected.view.vertices[vertex];
-  std::string text = fmt::format(
-      "{}{} vertex, {} {}\ndirection {}",
-      v.vertex.conjunctive ? "conjunctive, " : "", Name(v.vertex.kind),
-      v.vertex.planes, v.vertex.planes == 1 ? "edge" : "edges coincide",
-      DigitsOf(v.vertex.direction));
+  std::string text = fmt::format("{}{} vertex, {} {}",
+                                 v.vertex.conjunctive ? "conjunctive, " : "",
+                                 Name(v.vertex.kind), v.vertex.planes,
+                                 v.vertex.planes == 1 ? "edge" : "edges");
+  if (v.planes_with_hidden > v.vertex.planes) {
+    text += fmt::format(" ({} with those hidden behind)", v.planes_with_hidden);
+  }
+  text += "\ndirection " + DigitsOf(v.vertex.direction);
   if (v.vertex.vertex >= 0) {
     const Point3& p =
         inspected.scene.vertices()[static_cast<std::size_t>(v.vertex.vertex)];

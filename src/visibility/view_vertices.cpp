@@ -188,6 +188,14 @@ WholeViewVertex ViewVertices::Describe(const GluedVertex& vertex,
   result.vertex.direction = ToDouble(vertex.key);
   c.Describe(vertex.on_horizon, result.vertex);
   result.bounds_source = bounds_source;
+  result.planes_with_hidden = result.vertex.planes;
+  if (result.vertex.conjunctive) {
+    for (const EdgeHit& hit : edges_.NotBehind(-1))
+      c.Add(hit.plane, hit.vertex, normal);
+    ContourVertex all;
+    c.Describe(vertex.on_horizon, all);
+    result.planes_with_hidden = all.planes;
+  }
   return result;
 }
 

@@ -67,6 +67,9 @@ struct WholeViewVertex {
   ContourVertex vertex;
   bool bounds_source = false;   ///< of the visible contour of a source
   std::vector<SeenEdge> edges;  ///< sorted
+  /// vertex.planes and, where it is conjunctive, those of further edges in the
+  /// same direction, behind all that is seen around it.
+  int planes_with_hidden = 0;
 };
 
 struct WholeView {

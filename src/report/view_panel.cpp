@@ -33,6 +33,10 @@ std::string SixDigits(double value) {
   return fmt::format("{:.6g}", value);
 }
 
+std::string CountText(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
 std::string ShortestText(double value) {
   std::string text;
   AppendNumber(text, value);
@@ -83,9 +87,9 @@ class Panel {
         kFaint);
     Next();
     Put(0, "start",
-        fmt::format("{} regions, {} arcs, {} vertices",
-                    inspected_.view.regions.size(), inspected_.view.arcs.size(),
-                    inspected_.view.vertices.size()),
+        CountText(inspected_.view.regions.size(), "region", "regions") + ", " +
+            CountText(inspected_.view.arcs.size(), "arc", "arcs") + ", " +
+            CountText(inspected_.view.vertices.size(), "vertex", "vertices"),
         kFaint);
     Next(1.5);
   }

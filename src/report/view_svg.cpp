@@ -140,27 +140,50 @@ class ViewDrawing {
         centre_.x, centre_.y, radius_);
   }
 
-  /// Where the scene's axes point to, outside of the disc.
-  void AddAxes() {
+  /// Where a scene's axis points to, seen from the middle of the disc.
+  struct AxisTick {
+    double x = 0;  ///< of length 1, y upwards
+    double y = 0;
+    std::string name;
+  };
+
+  /// Axes that point to the same place share their tick.
+  [[nodiscard]] std::vector<AxisTick> AxisTicks() const {
     constexpr std::array kNames = {"x", "y", "z"};
     constexpr std::array kAxes = {Vector3{1, 0, 0}, Vector3{0, 1, 0},
                                   Vector3{0, 0, 1}};
     constexpr double kAlmostAhead = 0.3;
-    svg_ += "<g id=\"axes\" stroke-width=\"1\" fill=\"#444444\">\n";
+    constexpr double kSamePlace = 0.05;
+    std::vector<AxisTick> ticks;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vector3 v = InFrame(kAxes[i], inspected_.frame);
       const double length = std::hypot(v.x, v.y);
       if (length < kAlmostAhead) continue;
       for (const double sign : {1.0, -1.0}) {
-        const double x = sign * v.x / length;
-        const double y = -sign * v.y / length;
-        svg_ += SvgLine(centre_.x + radius_ * x, centre_.y + radius_ * y,
-                        centre_.x + (radius_ + 7) * x,
-                        centre_.y + (radius_ + 7) * y, "#444444");
-        svg_ += SvgText(centre_.x + (radius_ + 18) * x,
-                        centre_.y + (radius_ + 18) * y + 4, "middle", 12,
-                        (sign > 0 ? "+" : "−") + std::string(kNames[i]));
+        const AxisTick tick{sign * v.x / length, sign * v.y / length,
+                            (sign > 0 ? "+" : "−") + std::string(kNames[i])};
+        const auto same = std::ranges::find_if(ticks, [&](const AxisTick& t) {
+          return std::hypot(t.x - tick.x, t.y - tick.y) < kSamePlace;
+        });
+        if (same == ticks.end()) {
+          ticks.push_back(tick);
+        } else {
+          same->name += tick.name;
+        }
       }
+    }
+    return ticks;
+  }
+
+  void AddAxes() {
+    svg_ += "<g id=\"axes\" stroke-width=\"1\" fill=\"#444444\">\n";
+    for (const AxisTick& tick : AxisTicks()) {
+      const auto at = [&](double beyond) {
+        return PicturePoint{centre_.x + (radius_ + beyond) * tick.x,
+                            centre_.y - (radius_ + beyond) * tick.y};
+      };
+      svg_ += SvgLine(at(0).x, at(0).y, at(7).x, at(7).y, "#444444");
+      svg_ += SvgText(at(19).x, at(19).y + 4, "middle", 12, tick.name);
     }
     svg_ += "</g>\n";
   }
@@ -229,11 +252,11 @@ class ViewDrawing {
   }
 
   /// Beside its vertex or, if that is crowded, at the end of a line from it.
-  void AddLabel(const PicturePoint& at, int edges, LabelLayout& layout) {
+  void AddLabel(const PicturePoint& at, const std::string& text,
+                LabelLayout& layout) {
     constexpr int kSize = 13;
     constexpr std::array kFarther = {0.0, 16.0, 30.0, 46.0};
     constexpr int kDirections = 8;
-    const std::string text = std::to_string(edges);
     for (const double distance : kFarther) {
       for (int i = 0; i < (distance > 0 ? kDirections : 1); ++i) {
         const double angle = 2 * std::numbers::pi * (i + 0.5) / kDirections;
@@ -261,7 +284,12 @@ class ViewDrawing {
         kConjunctionColour);
     for (const std::size_t v : ConjunctiveVertices()) {
       const auto at = PlaceOf(v);
-      if (at) AddLabel(*at, inspected_.view.vertices[v].vertex.planes, layout);
+      if (!at) continue;
+      const WholeViewVertex& vertex = inspected_.view.vertices[v];
+      std::string text = std::to_string(vertex.vertex.planes);
+      if (vertex.planes_with_hidden > vertex.vertex.planes)
+        text += fmt::format(" of {}", vertex.planes_with_hidden);
+      AddLabel(*at, text, layout);
     }
     svg_ +=
         "</g>\n<g id=\"ring-labels\" fill=\"#444444\" stroke=\"#ffffff\""

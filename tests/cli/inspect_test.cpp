@@ -33,7 +33,7 @@ TEST(Inspect, WritesPictureAndNumbers) {
   EXPECT_EQ(outcome.out + outcome.err, "");
   const std::string svg = ReadFile(folder / "v.svg");
   EXPECT_EQ(testing::MarkupDefect(svg), "");
-  EXPECT_NE(svg.find("0.55413"), svg.npos);
+  EXPECT_NE(svg.find("0.554126"), svg.npos);
   EXPECT_NE(svg.find("square.obj"), svg.npos);
 
   const Json json = Json::parse(ReadFile(folder / "v.json"));

@@ -64,6 +64,25 @@ std::vector<Vector3> ClipToWall(const std::vector<Vector3>& polygon,
   return kept;
 }
 
+/// Appends points of an arc, near enough to each other to be joined straight.
+/// Those of an arc that is nowhere in the gnomonic disc, as on the horizon,
+/// are lifted to where they have a place on the plane, still out of the disc.
+void AppendCorners(const CircleArc& arc, std::vector<Vector3>& corners) {
+  constexpr double kLow = 9 * kDegree;
+  constexpr double kLifted = 5 * kDegree;
+  static_assert(kGnomonicLimit < 81);
+  const bool is_low = std::hypot(arc.start.z, arc.side.z) < std::sin(kLow);
+  const int pieces =
+      std::max(1, static_cast<int>(std::ceil(arc.angle / kCubicAngle)));
+  // The end is the start of the next arc.
+  if (is_low) corners.push_back(arc.start);
+  for (int i = 0; i < pieces + (is_low ? 1 : 0); ++i) {
+    Vector3 corner = arc.At(i * arc.angle / pieces);
+    if (is_low) corner.z = std::hypot(corner.x, corner.y) * std::tan(kLifted);
+    corners.push_back(corner);
+  }
+}
+
 }  // namespace
 
 std::string_view Name(ViewProjection projection) {
@@ -182,12 +201,8 @@ std::string ProjectedDisc::LoopPath(const std::vector<CircleArc>& arcs) const {
     return path + 'Z';
   }
   std::vector<Vector3> polygon;
-  for (const CircleArc& arc : arcs) {
-    const int pieces =
-        std::max(1, static_cast<int>(std::ceil(arc.angle / kCubicAngle)));
-    for (int i = 0; i < pieces; ++i)
-      polygon.push_back(arc.At(i * arc.angle / pieces));
-  }
+  for (const CircleArc& arc : arcs)
+    AppendCorners(arc, polygon);
   // A square pyramid around the disc.
   const double slope = 1.02 * std::tan(kGnomonicLimit * kDegree);
   for (const Vector3& wall : {Vector3{1, 0, slope}, Vector3{-1, 0, slope},

@@ -176,6 +176,7 @@ class ViewDrawing {
   }
 
   void AddAxes() {
+    constexpr std::size_t kOneAxis = 4;  // a minus takes three bytes
     svg_ += "<g id=\"axes\" stroke-width=\"1\" fill=\"#444444\">\n";
     for (const AxisTick& tick : AxisTicks()) {
       const auto at = [&](double beyond) {
@@ -183,7 +184,10 @@ class ViewDrawing {
                             centre_.y - (radius_ + beyond) * tick.y};
       };
       svg_ += SvgLine(at(0).x, at(0).y, at(7).x, at(7).y, "#444444");
-      svg_ += SvgText(at(19).x, at(19).y + 4, "middle", 12, tick.name);
+      const bool is_long = tick.name.size() > kOneAxis;
+      const PicturePoint place = at(is_long ? 21 : 19);
+      svg_ +=
+          SvgText(place.x, place.y + 4, "middle", is_long ? 9 : 12, tick.name);
     }
     svg_ += "</g>\n";
   }

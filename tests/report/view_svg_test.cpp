@@ -119,6 +119,27 @@ TEST(ViewSvg, DrawnAreasAreFormFactors) {
   EXPECT_GT(sources, 40);
 }
 
+TEST(ViewSvg, RegionsTileTheGnomonicPicture) {
+  constexpr double kRadius = 1000;
+  const ProjectedDisc disc(ViewProjection::kGnomonic, {0, 0}, kRadius);
+  PortableRandom random(44);
+  for (int i = 0; i < 40; ++i) {
+    const bool lattice = i % 2 == 0;
+    const int faces = i < 4 ? 0 : 8;
+    const InspectedView inspected = LookAt(RandomScene(random, lattice, faces),
+                                           RandomReceiver(random, lattice));
+    double sum = 0;
+    for (std::size_t r = 0; r < inspected.view.regions.size(); ++r) {
+      for (const auto& loop :
+           BorderOf(inspected.view, static_cast<int>(r), inspected.frame))
+        sum += TwiceAreaOf(disc.LoopPath(loop)) / 2;
+    }
+    // The square around the disc in which they are clipped.
+    const double side = 2 * 1.02 * kRadius;
+    EXPECT_NEAR(sum, side * side, 2e-4 * side * side);
+  }
+}
+
 TEST(ViewSvg, SolidAnglesAreThoseOfClosedForms) {
   for (const double half : {3.0, 1.0, 1e-2, 1e-5}) {
     const InspectedView inspected =

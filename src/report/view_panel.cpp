@@ -125,7 +125,8 @@ class Panel {
     constexpr std::array kFills = {
         std::pair{RegionKind::kSource, "source, in the colour it emits"},
         std::pair{RegionKind::kBack, "back of an emitting face"},
-        std::pair{RegionKind::kBlocker, "blocker, lighter where it faces us"},
+        std::pair{RegionKind::kBlocker,
+                  "blocker, lighter if it faces the receiver"},
         std::pair{RegionKind::kNothing, "nothing"}};
     Put(0, "start", "What is seen", kBold);
     for (const auto& [kind, text] : kFills) {

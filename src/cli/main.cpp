@@ -10,6 +10,7 @@
 
 #include "cli/cmd_bench.h"
 #include "cli/cmd_eval.h"
+#include "cli/cmd_inspect.h"
 #include "cli/cmd_stability.h"
 #include "cli/exit_status.h"
 #include "cli/help_format.h"
@@ -69,6 +70,8 @@ ExitStatus Run(int argc, char** argv) {
   AddEvalCommand(app, eval);
   BenchArguments bench;
   AddBenchCommand(app, bench);
+  InspectArguments inspect;
+  AddInspectCommand(app, inspect);
   StabilityArguments stability;
   AddStabilityCommand(app, stability);
   for (CLI::App* command : app.get_subcommands({}))
@@ -76,6 +79,7 @@ ExitStatus Run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (app.got_subcommand("bench")) return RunBench(bench);
+    if (app.got_subcommand("inspect")) return RunInspect(inspect);
     if (app.got_subcommand("stability")) return RunStability(stability);
     return RunEval(eval);
   } catch (const CLI::CallForHelp&) {

@@ -17,6 +17,9 @@ constexpr double kRoundingOfSums = 1e-12;
 /// .. and by more than so many times the noise.
 constexpr double kNoiseTimes = 3;
 
+/// Where darkness is predicted, so much of the truth passes for it.
+constexpr double kDark = 1e-9;
+
 double SquareAtMostOne(double distance) {
   return std::min(1.0, distance * distance);
 }
@@ -33,19 +36,28 @@ struct FitValue {
   double candidate = 0;
   double truth = 0;
   double predicted = 0;
-  double scale = 0;  ///< what distances are measured by
+  double scale = 0;  ///< what the distance from the truth is measured by
+  double predicted_scale = 0;  ///< .. from the prediction
 
-  [[nodiscard]] double DistanceFrom(double expected) const {
-    const double distance = std::abs(candidate - expected);
-    if (distance == 0) return 0;
-    return scale > 0 ? distance / scale
+  [[nodiscard]] double FromTruth() const {
+    return Distance(candidate - truth, scale);
+  }
+
+  [[nodiscard]] double FromPredicted() const {
+    return Distance(candidate - predicted, predicted_scale);
+  }
+
+  static double Distance(double difference, double scale) {
+    if (difference == 0) return 0;
+    return scale > 0 ? std::abs(difference) / scale
                      : std::numeric_limits<double>::infinity();
   }
 };
 
 /// The values of the compared channels that are numbers.
 std::vector<FitValue> ValuesOf(const CandidateData& data,
-                               std::span<const Rgb> predicted) {
+                               std::span<const Rgb> predicted,
+                               std::optional<double> factor) {
   Rgb largest{};
   for (const Rgb& truth : data.truth) {
     for (std::size_t c = 0; c < truth.size(); ++c)
@@ -54,13 +66,17 @@ std::vector<FitValue> ValuesOf(const CandidateData& data,
   std::vector<FitValue> values;
   for (std::size_t i = 0; i < data.values.size(); ++i) {
     for (std::size_t c = 0; c < data.channels.size(); ++c) {
-      FitValue v{i, data.values[i][c], data.truth[i][c], predicted[i][c], 0};
+      FitValue v{i, data.values[i][c], data.truth[i][c], predicted[i][c], 0, 0};
       if (!std::isfinite(v.candidate) || !std::isfinite(v.truth) ||
           !std::isfinite(v.predicted)) {
         continue;
       }
-      v.scale = std::max(std::abs(v.predicted), std::abs(v.truth));
+      v.scale = std::abs(v.truth);
+      if (!factor) v.scale = std::max(v.scale, std::abs(v.predicted));
       if (v.scale == 0) v.scale = largest[c];
+      v.predicted_scale =
+          factor ? *factor * v.scale
+                 : std::max(std::abs(v.predicted), kDark * v.scale);
       values.push_back(v);
     }
   }
@@ -109,7 +125,8 @@ bool MistakeFit::Explains(bool is_factor) const {
 
 MistakeFit FitOf(const CandidateData& data, const Hypothesis& hypothesis,
                  double tolerance) {
-  const std::vector<FitValue> values = ValuesOf(data, hypothesis.predicted);
+  const std::vector<FitValue> values =
+      ValuesOf(data, hypothesis.predicted, hypothesis.factor);
   const double threshold =
       std::max(kRoundingOfSums, kNoiseTimes * NoiseOf(values));
   std::vector<double> before;
@@ -121,8 +138,8 @@ MistakeFit FitOf(const CandidateData& data, const Hypothesis& hypothesis,
   double disputed_loss_before = 0;
   double disputed_loss_after = 0;
   for (const FitValue& v : values) {
-    const double from_truth = v.DistanceFrom(v.truth);
-    const double from_predicted = v.DistanceFrom(v.predicted);
+    const double from_truth = v.FromTruth();
+    const double from_predicted = v.FromPredicted();
     before.push_back(SquareAtMostOne(from_truth));
     after.push_back(SquareAtMostOne(from_predicted));
     const bool disputed = hypothesis.factor ? v.truth > 0
@@ -165,7 +182,7 @@ bool PredictTheSame(const Hypothesis& a, const Hypothesis& b) {
 }
 
 std::optional<FactorFit> FitFactor(const CandidateData& data) {
-  std::vector<FitValue> lit = ValuesOf(data, data.truth);
+  std::vector<FitValue> lit = ValuesOf(data, data.truth, std::nullopt);
   std::erase_if(lit, [](const FitValue& v) { return !(v.truth > 0); });
   std::size_t receivers = 0;
   for (std::size_t i = 0; i < lit.size(); ++i) {

@@ -14,9 +14,12 @@
 
 namespace truelux {
 
-/// The distance of a candidate's value from a prediction is measured by the
-/// larger of prediction and truth, in absolute value (where both are 0, by the
-/// largest truth of its channel). Its loss is the square of that, at most 1.
+/// The distance of a candidate's value from the truth is measured by the
+/// larger of truth and prediction, in absolute value (where both are 0, by the
+/// largest truth of its channel); that from the prediction by the prediction,
+/// or by 1e-9 of the former if that is more: what is no darkness does not count
+/// as such. For a constant factor either is measured by itself. The loss of a
+/// value is the square of its distance, at most 1.
 ///
 /// A value is disputed if prediction and truth differ by more than the
 /// candidate's noise can: 1e-12, and three times the median distance from the

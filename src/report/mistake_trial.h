@@ -34,7 +34,7 @@ struct TruthOptions {
 
 /// What a mistake would make of the receivers of a trial.
 struct Hypothesis {
-  std::string mistake{};  ///< the mistake's name, as in Mistakes()
+  std::string mistake{};       ///< the mistake's name, as in Mistakes()
   std::string sentence;        ///< what the candidate does, without a full stop
   std::vector<Rgb> predicted;  ///< one per receiver, compared channels
   std::optional<double> factor{};  ///< predicted = factor * truth, if so

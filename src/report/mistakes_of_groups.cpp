@@ -66,16 +66,16 @@ std::vector<Hypothesis> HypothesesOf(const Leavable& leavable,
   const std::vector<Rgb> black =
       trial.ValuesOf(WithBlackFaces(trial.scene(), leavable.faces));
   const std::vector<Rgb> own = Combined(trial.data().truth, -1, black);
-  return {
-      {.sentence = fmt::format("the candidate leaves out {} as a source and as "
-                               "a blocker",
-                               name),
-       .predicted = without},
-      {.sentence = fmt::format("the candidate leaves out {} as a source", name),
-       .predicted = black},
-      {.sentence =
-           fmt::format("the candidate leaves out {} as a blocker", name),
-       .predicted = Combined(without, 1, own)}};
+  const auto left_out = [&](const char* how, std::vector<Rgb> predicted) {
+    return Hypothesis{
+        .sentence = fmt::format("the candidate leaves out {} {}", name, how),
+        .predicted = std::move(predicted)};
+  };
+  const Hypothesis source = left_out("as a source", black);
+  const Hypothesis both = left_out("as a source and as a blocker", without);
+  if (PredictTheSame(source, both))
+    return {left_out("as a source; it hides nothing here", black)};
+  return {both, source, left_out("as a blocker", Combined(without, 1, own))};
 }
 
 /// The smallest loss that any way of leaving it out has.

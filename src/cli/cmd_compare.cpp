@@ -147,7 +147,7 @@ void FindWorst(const DetailFinder& finder, int threads,
 /// since what coincides exactly is found slowly.
 void Classify(const DetailFinder& finder, int threads,
               CandidateReport& report) {
-  constexpr std::size_t kMostWork = 10'000'000;
+  constexpr std::size_t kMostWork = 1'000'000;
   constexpr std::size_t kFewest = 8;
   const std::size_t triangles =
       std::max<std::size_t>(report.scene.triangles().size(), 1);

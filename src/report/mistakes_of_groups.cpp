@@ -108,7 +108,7 @@ std::vector<Hypothesis> LeftOutGroups(MistakeTrial& trial) {
   constexpr std::size_t kMostTried = 64;
   constexpr std::size_t kFewestTried = 4;
   constexpr std::size_t kMostTriangles = 20'000'000;
-  constexpr std::size_t kMostEvaluations = 10'000;
+  constexpr std::size_t kMostEvaluations = 4'000;
   constexpr std::size_t kFewestReceivers = 32;
   constexpr std::size_t kFinalists = 4;
   std::vector<Leavable> leavables = LeavablesOf(trial.scene());

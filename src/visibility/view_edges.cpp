@@ -18,23 +18,34 @@ DirectionRecipe VertexRecipe(int v) {
 }
 
 double Length(const Vec3<double>& v) {
-  return std::hypot(v.x, v.y, v.z);
+  return std::sqrt(Dot(v, v));
 }
 
 /// Of length 1; the largest component is taken out first, so that nothing
 /// leaves binary64. (0, 0, 0) stays.
-Vec3<double> UnitOf(const Vec3<Exact>& v) {
-  Vec3<double> d{CGAL::to_double(v.x), CGAL::to_double(v.y),
-                 CGAL::to_double(v.z)};
+Vec3<double> UnitOf(const Vec3<double>& d) {
   const double largest =
       std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   if (!(largest > 0)) return d;
-  d = {d.x / largest, d.y / largest, d.z / largest};
-  return 1 / Length(d) * d;
+  const Vec3<double> scaled{d.x / largest, d.y / largest, d.z / largest};
+  return 1 / Length(scaled) * scaled;
+}
+
+template <class NT>
+Vec3<double> UnitOf(const Vec3<NT>& v) {
+  return UnitOf(Vec3<double>{CGAL::to_double(v.x), CGAL::to_double(v.y),
+                             CGAL::to_double(v.z)});
 }
 
 double AngleBetween(const Vec3<double>& a, const Vec3<double>& b) {
   return std::atan2(Length(Cross(a, b)), Dot(a, b));
+}
+
+/// No more than the angle from d to the arc of some length that begins at
+/// `from`: an angle is no less than its chord.
+double LeastAngle(const Vec3<double>& d, const Vec3<double>& from,
+                  double length) {
+  return Length(d - from) - length;
 }
 
 /// The angle from d to the arc between two directions less than pi apart, all
@@ -56,6 +67,10 @@ ViewEdges::ViewEdges(const ContourQuery& query, int facet)
       interval_(view_),
       facet_(facet),
       source_triangle_(query.scene.facets()[Index(facet)].first_triangle) {
+  const Facet& source = query.scene.facets()[Index(facet)];
+  for (const Triangle& triangle : view_.triangles.subspan(
+           Index(source.first_triangle), Index(source.triangle_count)))
+    source_caps_.push_back(CapOf(triangle));
   const std::vector<bool> ignored = IgnoredFacets(query);
   std::vector<int> relevant;
   for (int t = 0; t < static_cast<int>(view_.triangles.size()); ++t) {
@@ -66,6 +81,27 @@ ViewEdges::ViewEdges(const ContourQuery& query, int facet)
   AddSceneEdges(relevant);
   for (const int t : relevant)
     AddCut(t);
+}
+
+/// Around the direction to the first corner. In double, which is off by far
+/// less than kBeside.
+ViewEdges::Cap ViewEdges::CapOf(const Triangle& triangle) const {
+  std::array<Vec3<double>, 3> units{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point3& p = view_.vertices[Index(triangle.vertices[k])];
+    const Point3& r = view_.position;
+    units[k] = UnitOf(Vec3<double>{p.x - r.x, p.y - r.y, p.z - r.z});
+  }
+  return {units[0], std::max(AngleBetween(units[0], units[1]),
+                             AngleBetween(units[0], units[2]))};
+}
+
+bool ViewEdges::IsBesideSource(const Triangle& triangle) const {
+  const Cap cap = CapOf(triangle);
+  return !cap.IsWide() && std::ranges::all_of(source_caps_, [&](const Cap& s) {
+    return !s.IsWide() &&
+           LeastAngle(cap.center, s.center, cap.radius + s.radius) > kBeside;
+  });
 }
 
 Exact ViewEdges::AbovePlane(int vertex) const {
@@ -82,6 +118,19 @@ Sign ViewEdges::SideOfPlane(int vertex) const {
   return SignOf(AbovePlane(vertex));
 }
 
+/// The side of a vertex to the plane through r, a and b.
+Sign ViewEdges::SideOfEdge(int a, int b, int vertex) const {
+  {
+    const RoundUpward rounding;
+    const auto sign = TrySign(Determinant(interval_.FromReceiver(a),
+                                          interval_.FromReceiver(b),
+                                          interval_.FromReceiver(vertex)));
+    if (sign) return *sign;
+  }
+  return SignOf(Determinant(exact_.FromReceiver(a), exact_.FromReceiver(b),
+                            exact_.FromReceiver(vertex)));
+}
+
 int ViewEdges::FaceOf(int facet) const {
   return query_.scene.facets()[Index(facet)].face + 1;
 }
@@ -91,6 +140,7 @@ int ViewEdges::FaceOf(int facet) const {
 bool ViewEdges::Relevant(int triangle) const {
   const Triangle& t = view_.triangles[Index(triangle)];
   if (t.facet == facet_) return true;
+  if (IsBesideSource(t)) return false;
   bool any_front = false;
   bool all_on = true;
   for (const int v : t.vertices) {
@@ -117,10 +167,7 @@ void ViewEdges::AddSceneEdges(const std::vector<int>& relevant) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [a, b] =
           std::minmax(triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
-      const Vec3<Exact> plane =
-          Cross(exact_.FromReceiver(a), exact_.FromReceiver(b));
-      const Sign side = SignOf(
-          Dot(plane, exact_.FromReceiver(triangle.vertices[(k + 2) % 3])));
+      const Sign side = SideOfEdge(a, b, triangle.vertices[(k + 2) % 3]);
       neighbours[{a, b}].push_back({triangle.facet, side});
     }
   }
@@ -176,12 +223,21 @@ void ViewEdges::AddCut(int triangle) {
 
 void ViewEdges::AddEdge(const DirectionRecipe& from, const DirectionRecipe& to,
                         int a, int b, const SeenEdge& seen) {
-  const Vec3<double> from_unit = UnitOf(exact_.Direction(from, {}, {}));
-  const Vec3<double> to_unit = UnitOf(exact_.Direction(to, {}, {}));
-  const RoundUpward rounding;
-  edges_.push_back({Cross(interval_.Direction(from, {}, {}),
-                          interval_.Direction(to, {}, {})),
-                    from, to, a, b, seen, from_unit, to_unit});
+  Vec3<Interval> u;
+  Vec3<Interval> v;
+  Vec3<Interval> plane;
+  {
+    const RoundUpward rounding;
+    u = interval_.Direction(from, {}, {});
+    v = interval_.Direction(to, {}, {});
+    plane = Cross(u, v);
+  }
+  const Vec3<double> from_unit = UnitOf(u);
+  const Vec3<double> to_unit = UnitOf(v);
+  edges_.push_back({plane, from, to, a, b, seen, from_unit, to_unit,
+                    AngleBetween(from_unit, to_unit),
+                    from.kind == DirectionRecipe::Kind::kVertex &&
+                        to.kind == DirectionRecipe::Kind::kVertex});
 }
 
 /// Whether the point weight_a a + weight_b b of a scene edge is in front of
@@ -220,7 +276,14 @@ std::vector<ViewEdges::Hit> ViewEdges::Through(const Vec3<Exact>& d) const {
   const Vec3<Interval> rough{FromExact<Interval>::Of(d.x),
                              FromExact<Interval>::Of(d.y),
                              FromExact<Interval>::Of(d.z)};
+  const Vec3<double> unit = UnitOf(d);
   for (const Edge& edge : edges_) {
+    // Far more than the units can be off.
+    constexpr double kSurelyApart = 1e-6;
+    if (edge.has_sure_ends &&
+        LeastAngle(unit, edge.from_unit, edge.length) > kSurelyApart) {
+      continue;
+    }
     {
       const RoundUpward rounding;
       const auto sign = TrySign(Dot(edge.plane, rough));
@@ -237,6 +300,10 @@ std::optional<ViewEdges::Miss> ViewEdges::Nearest(const Vec3<Exact>& d) const {
   const Vec3<double> unit = UnitOf(d);
   std::optional<Miss> nearest;
   for (const Edge& edge : edges_) {
+    if (nearest && LeastAngle(unit, edge.from_unit, edge.length) >
+                       nearest->angle + kClose) {
+      continue;
+    }
     const Vec3<double> cross = Cross(edge.from_unit, edge.to_unit);
     const double length = Length(cross);
     const Vec3<double> normal = length > 0 ? 1 / length * cross : cross;

@@ -15,9 +15,13 @@ namespace truelux {
 
 /// The edges of a source facet and of what lies in front of its plane,
 /// without diagonals of faces, without inner edges of blocking meshes, and
-/// with the lines where blockers enter the source's plane.
+/// with the lines where blockers enter the source's plane. Triangles that are
+/// more than kBeside away from what the source covers are left out.
 class ViewEdges {
  public:
+  /// [rad]; no vertex of the source's contour has an edge of those.
+  static constexpr double kBeside = 0.01;
+
   /// query and its scene must outlive the object.
   ViewEdges(const ContourQuery& query, int facet);
 
@@ -41,7 +45,7 @@ class ViewEdges {
   };
 
   /// Of the edges of Through that do not pass through the direction d, the one
-  /// nearest to it; nothing if there is none. That an edge misses is exact,
+  /// nearest to it; nothing if there is none. d: seen on the source. That an edge misses is exact,
   /// the angle is good to a few digits.
   [[nodiscard]] std::optional<Miss> Nearest(const Vec3<Exact>& d) const;
 
@@ -57,10 +61,25 @@ class ViewEdges {
     SeenEdge seen;
     Vec3<double> from_unit;  ///< of length 1, rounded
     Vec3<double> to_unit;
+    double length = 0;  ///< angle between these two
+    /// Whether the two are good to 1e-12: differences of input numbers.
+    bool has_sure_ends = false;
   };
 
+  /// Directions within an angle of one of them; a wide one, of no less than
+  /// 1.5, stands for all directions.
+  struct Cap {
+    Vec3<double> center;
+    double radius = 0;
+
+    [[nodiscard]] bool IsWide() const { return !(radius < 1.5); }
+  };
+
+  [[nodiscard]] Cap CapOf(const Triangle& triangle) const;
+  [[nodiscard]] bool IsBesideSource(const Triangle& triangle) const;
   [[nodiscard]] Exact AbovePlane(int vertex) const;
   [[nodiscard]] Sign SideOfPlane(int vertex) const;
+  [[nodiscard]] Sign SideOfEdge(int a, int b, int vertex) const;
   [[nodiscard]] bool Relevant(int triangle) const;
   void AddSceneEdges(const std::vector<int>& relevant);
   void AddCut(int triangle);
@@ -78,6 +97,7 @@ class ViewEdges {
   RecipeEvaluator<Interval> interval_;
   int facet_;
   int source_triangle_;
+  std::vector<Cap> source_caps_;  ///< of the source's triangles
   std::vector<Edge> edges_;
 };
 

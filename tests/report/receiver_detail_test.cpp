@@ -32,9 +32,14 @@ TEST(ReceiverDetail, NamesTheEdgesThatMeet) {
       {{{1, -0.5, 2}, {-1, 0.5, 2}, {-1, -0.5, 2}}},
       {{{0, 0.25, 1}, {0, -0.25, 1}, {0.25, -0.25, 1}}}};
   const ReceiverDetail detail = Detail(faces);
+  // Others coincide by the regularity of the numbers; at the zenith all three
+  // blockers meet.
   const auto zenith =
       std::ranges::find_if(detail.meetings, [](const MeetingEdges& m) {
-        return m.planes == 3 && m.edges.size() == 3;
+        std::vector<int> met;
+        for (const SeenEdge& edge : m.edges)
+          met.push_back(edge.face);
+        return met == std::vector<int>{2, 3, 4};
       });
   ASSERT_NE(zenith, detail.meetings.end());
   EXPECT_EQ(zenith->planes, 3);

@@ -18,11 +18,13 @@ namespace truelux {
 /// A face of the input, in input order. Its `number` is its index + 1; a face
 /// without area keeps its number but has no facets.
 struct Face {
-  Rgb emission{};       ///< Ke of its material; (0, 0, 0): a pure blocker
-  int line = 0;         ///< line of its f statement; 0: made in code
-  int first_facet = 0;  ///< its facets are first_facet ..
-  int facet_count = 0;  ///< .. first_facet + facet_count - 1
-  int group = 0;        ///< index into Scene::group_names()
+  Rgb emission{};        ///< Ke of its material; (0, 0, 0): a pure blocker
+  int line = 0;          ///< line of its f statement; 0: made in code
+  int first_facet = 0;   ///< its facets are first_facet ..
+  int facet_count = 0;   ///< .. first_facet + facet_count - 1
+  int group = 0;         ///< index into Scene::group_names()
+  int first_corner = 0;  ///< its corners are first_corner ..
+  int corner_count = 0;  ///< .. first_corner + corner_count - 1
 };
 
 /// An exactly planar part of a face: the face itself, or one triangle of a
@@ -50,6 +52,9 @@ class Scene {
   [[nodiscard]] std::span<const Triangle> triangles() const;
   [[nodiscard]] std::span<const Facet> facets() const;
   [[nodiscard]] std::span<const Face> faces() const;
+  /// The rings of all faces, one after the other, as indices into vertices():
+  /// each from the first corner of the input, without equal neighbours.
+  [[nodiscard]] std::span<const int> corners() const;
   /// Names of objects and groups as "object/group"; entry 0 is "".
   [[nodiscard]] std::span<const std::string> group_names() const;
 

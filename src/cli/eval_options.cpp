@@ -3,15 +3,12 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "truelux/formulas.h"
-#include "truelux/irradiance.h"
 
 #include "cli/cmd_eval.h"
-#include "cli/evaluation.h"
 #include "cli/input_arguments.h"
-#include "report/results.h"
+#include "cli/oracle_arguments.h"
 
 namespace truelux {
 namespace {
@@ -36,21 +33,6 @@ constexpr const char* kExamples =
     "  truelux eval room.obj floor.csv -o irradiance.csv\n"
     "  truelux eval room.obj - < floor.csv | head\n"
     "  truelux eval room.obj --at 1,0.5,-2 --normal 0,1,0\n";
-
-/// An option whose default is the value that `word` has now.
-CLI::Option* AddWord(CLI::App& command, const char* name, std::string& word,
-                     const char* help) {
-  return command.add_option(name, word, help)->capture_default_str();
-}
-
-/// The same for an option that takes one of some words.
-void AddChoice(CLI::App& command, const char* name, std::string& word,
-               const std::vector<std::string_view>& choices, const char* help) {
-  const std::vector<std::string> words(choices.begin(), choices.end());
-  AddWord(command, name, word, help)
-      ->check(CLI::IsMember(words).description(""))
-      ->type_name(CLI::detail::join(words, "|"));
-}
 
 /// The formulas' names, some on each line.
 std::string WordsOf(std::span<const Formula> formulas) {
@@ -95,25 +77,9 @@ void AddOutputs(CLI::App& command, EvalArguments& arguments) {
 }
 
 void AddChoices(CLI::App& command, EvalArguments& arguments) {
-  const OracleOptions defaults;
-  arguments.method = Name(defaults.method);
-  arguments.engine = Name(defaults.engine);
-  arguments.emission = Name(defaults.emission);
-  arguments.threads = std::to_string(DefaultThreads());
-  AddChoice(command, "--method", arguments.method,
-            {Name(Method::kCertified), Name(Method::kDouble)},
-            "certified: the nearest binary64; double: the same visibility,\n"
-            "summed in double, with a proven bound");
-  AddChoice(command, "--engine", arguments.engine,
-            {Name(Engine::kContour), Name(Engine::kArrangement),
-             Name(Engine::kAngularSpans)},
-            "how visibility is found; all give the same results, but\n"
-            "arrangement is slow, and so is angular-spans, which sums over\n"
-            "the same map vertex by vertex");
-  AddChoice(command, "--emission", arguments.emission,
-            {Name(Emission::kExitance), Name(Emission::kRadiance)},
-            "what Ke is: radiant exitance M [W/m^2], or\n"
-            "radiance L [W/m^2/sr], M = pi L");
+  AddMethodOption(command, arguments.method);
+  AddEngineOption(command, arguments.engine);
+  AddEmissionOption(command, arguments.emission);
   command
       .add_option("--formula", arguments.formula,
                   "with --method double: the formula that is summed, one of\n" +
@@ -125,9 +91,7 @@ void AddChoices(CLI::App& command, EvalArguments& arguments) {
                   "is cut to |x|, |y| <= R on the plane at distance 1; by\n"
                   "default 2^20")
       ->type_name("R");
-  AddWord(command, "--threads", arguments.threads,
-          "number of threads; by default one per processor")
-      ->type_name("N");
+  AddThreadsOption(command, arguments.threads);
 }
 
 }  // namespace

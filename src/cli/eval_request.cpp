@@ -2,19 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <fmt/format.h>
-#include <string_view>
 #include <vector>
 
 #include "truelux/formulas.h"
 #include "truelux/io.h"
 
-#include "cli/evaluation.h"
 #include "cli/messages.h"
 #include "cli/option_values.h"
+#include "cli/oracle_arguments.h"
 #include "report/receivers.h"
-#include "report/results.h"
 
 namespace truelux {
 namespace {
@@ -78,24 +75,11 @@ void ParseFormula(const EvalArguments& arguments, OracleOptions& options) {
   options.half_side = *half_side;
 }
 
-/// Puts the three texts between the commas of an option's value into `texts`.
-void SplitTriple(const char* option, std::string_view value,
-                 std::string* texts) {
-  if (std::count(value.begin(), value.end(), ',') != 2) {
-    throw UsageError(fmt::format(
-        "{}: '{}' is not three numbers with commas in between", option, value));
-  }
-  const std::size_t first = value.find(',');
-  const std::size_t second = value.rfind(',');
-  texts[0] = value.substr(0, first);
-  texts[1] = value.substr(first + 1, second - first - 1);
-  texts[2] = value.substr(second + 1);
-}
-
 std::string TableOfOne(const EvalArguments& arguments) {
   std::array<std::string, kReceiverColumns.size()> texts;
-  SplitTriple("--at", *arguments.at, texts.data());
-  SplitTriple("--normal", *arguments.normal, texts.data() + 3);
+  std::ranges::copy(TripleTexts("--at", *arguments.at), texts.begin());
+  std::ranges::copy(TripleTexts("--normal", *arguments.normal),
+                    texts.begin() + 3);
   // Numbers have no quotes and line ends, so the row needs no quoting.
   std::vector<FieldDefect> defects;
   ParseReceiver(texts, defects);
@@ -126,18 +110,10 @@ EvalRequest ParseEvalRequest(const EvalArguments& arguments) {
   if (request.output == "-") request.output.clear();
   if (arguments.at) request.table = TableOfOne(arguments);
   request.on_face = arguments.on_face.value_or("");
-  request.threads = static_cast<int>(
-      WholeNumberValue("--threads", arguments.threads, 1, kMaxThreads));
-  // The parser of the command line has refused all other words.
-  for (const Engine engine : {Engine::kArrangement, Engine::kAngularSpans}) {
-    if (arguments.engine == Name(engine)) request.options.engine = engine;
-  }
-  if (arguments.method == Name(Method::kDouble)) {
-    request.options.method = Method::kDouble;
-  }
-  if (arguments.emission == Name(Emission::kRadiance)) {
-    request.options.emission = Emission::kRadiance;
-  }
+  request.threads = ThreadsOf(arguments.threads);
+  request.options.method = MethodOf(arguments.method);
+  request.options.engine = EngineOf(arguments.engine);
+  request.options.emission = EmissionOf(arguments.emission);
   ParseFormula(arguments, request.options);
   return request;
 }

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
-#include <span>
 #include <string>
 #include <utility>
 
 #include "cli/interrupt.h"
+#include "cli/parallel.h"
 #include "report/results.h"
 
 namespace truelux {
@@ -21,10 +18,6 @@ namespace {
 /// A block ends at one of these sizes, whichever comes first.
 constexpr std::size_t kBlockRows = 256;
 constexpr std::size_t kBlockBytes = std::size_t{1} << 20;
-
-/// Consecutive rows that one thread evaluates, so that the oracle can use that
-/// they are often near each other; few enough for all threads to have some.
-constexpr std::size_t kShareRows = 16;
 
 /// Consecutive rows on their way through the pipeline.
 struct Block {
@@ -92,24 +85,13 @@ void EvaluateBlock(const Oracle& oracle, Block& block, Progress& progress) {
   block.receivers.clear();
   for (const ReceiverRow& row : block.rows)
     block.receivers.push_back(row.receiver);
-  const std::size_t share_count =
-      (block.rows.size() + kShareRows - 1) / kShareRows;
   // Isolated: a thread that waits for the rest of its block must not take up
   // the first stage meanwhile and wait there for input.
   tbb::this_task_arena::isolate([&] {
-    tbb::parallel_for(std::size_t{0}, share_count, [&](std::size_t share) {
-      const std::size_t first = share * kShareRows;
-      const auto receivers =
-          std::span(block.receivers)
-              .subspan(first, std::min(kShareRows, block.rows.size() - first));
-      StopIfInterrupted();
-      oracle.Evaluate(receivers,
-                      [&](std::size_t i, const Irradiance& irradiance) {
-                        block.results[first + i] = irradiance;
-                        progress.Advance();
-                        StopIfInterrupted();
-                      });
-    });
+    EvaluateShares(oracle, block.receivers, progress,
+                   [&](std::size_t i, const Irradiance& irradiance) {
+                     block.results[i] = irradiance;
+                   });
   });
   for (std::size_t i = 0; i < block.rows.size(); ++i) {
     block.text += block.rows[i].text;
@@ -138,8 +120,7 @@ EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,
   EvaluationSummary summary;
   output.Write(reader.header() +
                std::string(ResultHeader(oracle.options().method)) + "\n");
-  const auto thread_count = static_cast<std::size_t>(threads);
-  const std::size_t block_count = 2 * thread_count;
+  const std::size_t block_count = 2 * static_cast<std::size_t>(threads);
   BlockReader blocks(reader, block_count, summary.defects);
   const auto read = [&blocks](tbb::flow_control& control) {
     Block* block = blocks.Next();
@@ -153,11 +134,7 @@ EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,
   const auto write = [&](const Block* block) {
     WriteBlock(*block, output, summary);
   };
-  // The control allows more threads than there are cores, if so wished.
-  const tbb::global_control control(
-      tbb::global_control::max_allowed_parallelism, thread_count);
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
+  WithThreads(threads, [&] {
     tbb::parallel_pipeline(block_count,
                            tbb::make_filter<void, Block*>(
                                tbb::filter_mode::serial_in_order, read) &
@@ -167,10 +144,6 @@ EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,
                                    tbb::filter_mode::serial_in_order, write));
   });
   return summary;
-}
-
-int DefaultThreads() {
-  return std::min(kMaxThreads, tbb::info::default_concurrency());
 }
 
 }  // namespace truelux

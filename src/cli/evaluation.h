@@ -37,12 +37,6 @@ struct EvaluationSummary {
 EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,
                            OutputFile& output, int threads, Progress& progress);
 
-/// More threads would only cost memory.
-inline constexpr int kMaxThreads = 1024;
-
-/// The number of threads that suits this computer, at most kMaxThreads.
-int DefaultThreads();
-
 }  // namespace truelux
 
 #endif  // TRUELUX_CLI_EVALUATION_H_

@@ -3,6 +3,7 @@
 #ifndef TRUELUX_CLI_OPTION_VALUES_H_
 #define TRUELUX_CLI_OPTION_VALUES_H_
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,6 +21,14 @@ std::int64_t WholeNumberValue(const char* option, const std::string& text,
 
 /// A number >= 0. Throws UsageError for anything else.
 double SizeValue(const char* option, const std::string& text);
+
+/// The texts between the commas of "x,y,z". Throws UsageError if there are not
+/// three.
+std::array<std::string, 3> TripleTexts(const char* option,
+                                       const std::string& text);
+
+/// The same as numbers. Throws UsageError for anything else.
+std::array<double, 3> TripleValue(const char* option, const std::string& text);
 
 }  // namespace truelux
 

@@ -36,8 +36,7 @@ Vector3 CrossOf(const Vector3& a, const Vector3& b) {
 double TangentOfHalf(double degrees) {
   constexpr int kPrecision = 128;
   constexpr unsigned long kHalfTurn = 180;
-  Multiprecision angle =
-      PiOf(kPrecision) * Multiprecision(kPrecision, degrees);
+  Multiprecision angle = PiOf(kPrecision) * Multiprecision(kPrecision, degrees);
   mpfr_div_ui(angle.get(), angle.get(), 2 * kHalfTurn, MPFR_RNDN);
   mpfr_tan(angle.get(), angle.get(), MPFR_RNDN);
   return angle.ToDouble();

@@ -27,14 +27,12 @@ std::optional<Receiver> CameraPixels::At(int x, int y) const {
   if (!hit) return std::nullopt;
   const int facet =
       scene_.triangles()[static_cast<std::size_t>(hit->triangle)].facet;
-  Vector3 normal = normals_.empty()
-                       ? FacetNormal(scene_, facet)
-                       : normals_[static_cast<std::size_t>(facet)];
+  Vector3 normal = normals_.empty() ? FacetNormal(scene_, facet)
+                                    : normals_[static_cast<std::size_t>(facet)];
   // Not a bare minus: zeros stay without a sign.
   if (!hit->from_front) normal = {0 - normal.x, 0 - normal.y, 0 - normal.z};
-  return Receiver{
-      finder_.PointOn(ray, hit->triangle), normal,
-      scene_.facets()[static_cast<std::size_t>(facet)].face + 1};
+  return Receiver{finder_.PointOn(ray, hit->triangle), normal,
+                  scene_.facets()[static_cast<std::size_t>(facet)].face + 1};
 }
 
 }  // namespace truelux

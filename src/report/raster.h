@@ -19,9 +19,9 @@ class Raster {
   Raster(int width, int height, const T& value = T{})
       : width_(width),
         height_(height),
-        pixels_(static_cast<std::size_t>(width) *
-                    static_cast<std::size_t>(height),
-                value) {}
+        pixels_(
+            static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
+            value) {}
 
   [[nodiscard]] int width() const { return width_; }
 

@@ -104,8 +104,8 @@ double SurfaceFrame::HeightByWidth() const {
   const auto square = [](const RationalVector& s, const mpq_class& range) {
     return mpq_class(Dot(s, s) * range * range);
   };
-  return std::sqrt(NearestTo(mpq_class(square(v, b_most - b_least) /
-                                       square(u, a_most - a_least))));
+  return std::sqrt(NearestTo(
+      mpq_class(square(v, b_most - b_least) / square(u, a_most - a_least))));
 }
 
 std::optional<SurfaceFrame> SurfaceFrameOf(const Scene& scene,
@@ -131,12 +131,11 @@ std::optional<SurfaceFrame> SurfaceFrameOf(const Scene& scene,
         frame.reversed.push_back(face);
       continue;
     }
-    defect = face == first
-                 ? fmt::format("{} is not exactly planar",
-                               TextOfFace(scene, face + 1))
-                 : fmt::format("{} is not exactly in the plane of {}",
-                               TextOfFace(scene, face + 1),
-                               TextOfFace(scene, first + 1));
+    defect = face == first ? fmt::format("{} is not exactly planar",
+                                         TextOfFace(scene, face + 1))
+                           : fmt::format("{} is not exactly in the plane of {}",
+                                         TextOfFace(scene, face + 1),
+                                         TextOfFace(scene, first + 1));
     return std::nullopt;
   }
   const Face& f = scene.faces()[static_cast<std::size_t>(first)];

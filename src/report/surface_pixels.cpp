@@ -42,10 +42,12 @@ PixelRange PixelsWithin(const mpq_class& least, const mpq_class& most,
                         int count) {
   const mpz_class first = Ceiling(least);
   const mpz_class last = Floor(most);
-  return {first <= 0 ? 0 : first < count ? static_cast<int>(first.get_si())
-                                         : count,
-          last < 0 ? -1 : last < count ? static_cast<int>(last.get_si())
-                                       : count - 1};
+  return {first <= 0      ? 0
+          : first < count ? static_cast<int>(first.get_si())
+                          : count,
+          last < 0       ? -1
+          : last < count ? static_cast<int>(last.get_si())
+                         : count - 1};
 }
 
 /// Where a row crosses a closed triangle, from the left to the right.
@@ -94,9 +96,9 @@ SurfacePixels::SurfacePixels(const Scene& scene, const SurfaceFrame& frame,
     share.canonicalize();
     const mpq_class a = frame.a_least + share * a_range;
     const RationalVector along = a * frame.u;
-    columns_.push_back(PlaceOf({frame.origin.x + along.x,
-                                frame.origin.y + along.y,
-                                frame.origin.z + along.z}));
+    columns_.push_back(
+        PlaceOf({frame.origin.x + along.x, frame.origin.y + along.y,
+                 frame.origin.z + along.z}));
   }
   for (int y = 0; y < height; ++y) {
     mpq_class share(2 * y + 1, 2 * height);
@@ -126,8 +128,8 @@ void SurfacePixels::Fill(const Scene& scene, const SurfaceFrame& frame,
       corners[k].y =
           (frame.b_most - b) / (frame.b_most - frame.b_least) * height() - half;
     }
-    const auto [top, bottom] = std::ranges::minmax(
-        {corners[0].y, corners[1].y, corners[2].y});
+    const auto [top, bottom] =
+        std::ranges::minmax({corners[0].y, corners[1].y, corners[2].y});
     const PixelRange rows = PixelsWithin(top, bottom, height());
     for (int y = rows.first; y <= rows.last; ++y) {
       const Crossings crossings = CrossingsOf(corners, y);

@@ -26,6 +26,10 @@ std::span<const Face> Scene::faces() const {
   return data_->faces;
 }
 
+std::span<const int> Scene::corners() const {
+  return data_->corners;
+}
+
 std::span<const std::string> Scene::group_names() const {
   return data_->group_names;
 }

@@ -28,12 +28,17 @@ SceneAssembly::SceneAssembly(std::string file_name)
 void SceneAssembly::AddFace(Face face, std::span<const Point3> ring) {
   face.first_facet = static_cast<int>(arrays_.facets.size());
   face.facet_count = 0;
+  face.first_corner = static_cast<int>(arrays_.corners.size());
+  face.corner_count = 0;
   for (double& e : face.emission) {
     if (e == 0) e = 0;  // also -0
   }
   arrays_.faces.push_back(face);
   if (!CheckNumbers(ring)) return;
   TakeRing(ring);
+  arrays_.corners.insert(arrays_.corners.end(), ring_vertices_.begin(),
+                         ring_vertices_.end());
+  arrays_.faces.back().corner_count = static_cast<int>(ring_vertices_.size());
   if (ring_points_.size() < 3) {
     CountFace(without_area_);
   } else {

@@ -16,6 +16,7 @@ struct SceneArrays {
   std::vector<Triangle> triangles;
   std::vector<Facet> facets;
   std::vector<Face> faces;
+  std::vector<int> corners;
   std::vector<std::string> group_names{""};
 };
 

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <stdexcept>
 
-
 #include "exact/double_double.h"
 #include "exact/filter.h"
 #include "exact/number.h"

@@ -10,6 +10,7 @@
 
 #include "cli/cmd_bench.h"
 #include "cli/cmd_eval.h"
+#include "cli/cmd_render.h"
 #include "cli/cmd_stability.h"
 #include "cli/exit_status.h"
 #include "cli/interrupt.h"
@@ -67,11 +68,14 @@ ExitStatus Run(int argc, char** argv) {
   AddEvalCommand(app, eval);
   BenchArguments bench;
   AddBenchCommand(app, bench);
+  RenderArguments render;
+  AddRenderCommand(app, render);
   StabilityArguments stability;
   AddStabilityCommand(app, stability);
   try {
     app.parse(argc, argv);
     if (app.got_subcommand("bench")) return RunBench(bench);
+    if (app.got_subcommand("render")) return RunRender(render);
     if (app.got_subcommand("stability")) return RunStability(stability);
     return RunEval(eval);
   } catch (const CLI::CallForHelp&) {

@@ -155,6 +155,7 @@ void ParseColours(const RenderArguments& arguments, RenderRequest& request) {
   if (!request.false_colour && !request.Wants(ExtraImage::kError)) {
     throw UsageError("--channel belongs to --false-colour and --also error");
   }
+  request.channel_given = true;
   for (const ScalarChannel channel :
        {ScalarChannel::kRed, ScalarChannel::kGreen, ScalarChannel::kBlue}) {
     // The parser of the command line has refused all other words.

@@ -66,6 +66,7 @@ struct RenderRequest {
   bool false_colour = false;
   bool isolux = true;
   ScalarChannel channel = ScalarChannel::kLuminance;
+  bool channel_given = false;
   OracleOptions options;
   int threads = 1;
 

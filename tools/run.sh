@@ -13,6 +13,7 @@ lock_build
 need_packages run
 is_configured || configure -DTRUELUX_BUILD_TESTS=OFF
 build_target truelux
+build_target man
 release_build
 
 if [[ $# == 0 ]]; then

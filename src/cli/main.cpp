@@ -13,6 +13,7 @@
 #include "cli/cmd_render.h"
 #include "cli/cmd_stability.h"
 #include "cli/exit_status.h"
+#include "cli/help_format.h"
 #include "cli/interrupt.h"
 #include "cli/messages.h"
 #include "cli/version.h"
@@ -60,6 +61,7 @@ void PrintUsage(const CLI::App& app) {
 ExitStatus Run(int argc, char** argv) {
   CLI::App app("Exact irradiance from polygons that others partly hide.",
                "truelux");
+  app.formatter(MakeHelpFormatter());
   app.set_version_flag("--version", std::string("truelux ") + kVersion);
   app.require_subcommand(1);
   app.footer(std::string("Run 'truelux COMMAND --help' for a command.\n\n") +
@@ -72,6 +74,8 @@ ExitStatus Run(int argc, char** argv) {
   AddRenderCommand(app, render);
   StabilityArguments stability;
   AddStabilityCommand(app, stability);
+  for (CLI::App* command : app.get_subcommands({}))
+    command->group("Commands");
   try {
     app.parse(argc, argv);
     if (app.got_subcommand("bench")) return RunBench(bench);

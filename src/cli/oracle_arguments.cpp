@@ -1,6 +1,7 @@
 #include "cli/oracle_arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "cli/option_values.h"
 #include "cli/parallel.h"
@@ -50,9 +51,13 @@ void AddEmissionOption(CLI::App& command, std::string& word) {
 
 void AddThreadsOption(CLI::App& command, std::string& word) {
   word = std::to_string(DefaultThreads());
-  AddWord(command, "--threads", word,
-          "number of threads; by default one per processor")
-      .type_name("N");
+  // Its default belongs to the computer, not into a manual page.
+  command
+      .add_option("--threads", word,
+                  fmt::format("number of threads, up to {}; by default one per "
+                              "processor",
+                              kMaxThreads))
+      ->type_name("N");
 }
 
 Method MethodOf(const std::string& word) {

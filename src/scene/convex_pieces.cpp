@@ -15,33 +15,6 @@ std::size_t Index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// The boundary of a facet as one ring; empty if it has too many corners.
-std::vector<int> RingOf(std::span<const Triangle> triangles, int max_corners) {
-  if (triangles.size() + 2 > Index(max_corners)) return {};
-  std::vector<std::array<int, 2>> edges;
-  for (const Triangle& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::array<int, 2> edge{t.vertices[k], t.vertices[(k + 1) % 3]};
-      const auto reverse =
-          std::ranges::find(edges, std::array{edge[1], edge[0]});
-      if (reverse == edges.end()) {
-        edges.push_back(edge);
-      } else {
-        edges.erase(reverse);  // a diagonal
-      }
-    }
-  }
-  std::vector<int> ring;
-  int corner = edges.front()[0];
-  do {
-    ring.push_back(corner);
-    const auto next = std::ranges::find(
-        edges, corner, [](const std::array<int, 2>& e) { return e[0]; });
-    corner = (*next)[1];
-  } while (corner != ring.front() && ring.size() < edges.size());
-  return ring.size() == edges.size() ? ring : std::vector<int>();
-}
-
 /// Sign of N . ((b - a) x (c - b)): positive for a left turn at b, seen from
 /// the front of a polygon with normal N.
 template <class NT>
@@ -51,53 +24,137 @@ NT Turn(const Vec3<NT>& normal, const Point3& a, const Point3& b,
   return Dot(normal, Cross(Evaluator::Between(a, b), Evaluator::Between(b, c)));
 }
 
-bool IsStrictlyConvex(std::span<const int> ring,
-                      std::span<const Point3> vertices,
-                      std::span<const Triangle> triangles, int triangle) {
-  const ReceiverView view{vertices, triangles, {}, {}};
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point3& a = vertices[Index(ring[k])];
-    const Point3& b = vertices[Index(ring[(k + 1) % ring.size()])];
-    const Point3& c = vertices[Index(ring[(k + 2) % ring.size()])];
-    const auto turn = [&]() -> Sign {
-      {
-        const RoundUpward rounding;
-        const RecipeEvaluator<Interval> interval(view);
-        const auto sign =
-            TrySign(Turn(interval.TriangleNormal(triangle), a, b, c));
-        if (sign) return *sign;
-      }
-      const RecipeEvaluator<Exact> exact(view);
-      return SignOf(Turn(exact.TriangleNormal(triangle), a, b, c));
-    };
-    if (turn() != Sign::kPositive) return false;
+/// Joins the triangles of a facet to larger strictly convex polygons, diagonal
+/// by diagonal, as long as they have few enough corners (Hertel and Mehlhorn:
+/// at most four times as many polygons as are needed, were there no limit).
+class FacetPieces {
+ public:
+  FacetPieces(const Scene& scene, const Facet& facet, int max_corners)
+      : view_{scene.vertices(), scene.triangles(), {}, {}},
+        first_triangle_(facet.first_triangle),
+        max_corners_(Index(max_corners)) {
+    for (const Triangle& t : scene.triangles().subspan(
+             Index(facet.first_triangle), Index(facet.triangle_count)))
+      rings_.emplace_back(t.vertices.begin(), t.vertices.end());
+    joined_to_.resize(rings_.size());
+    std::iota(joined_to_.begin(), joined_to_.end(), std::size_t{0});
+    for (const Diagonal& diagonal : Diagonals())
+      Join(diagonal);
   }
-  return true;
-}
+
+  /// Calls take(corners, triangle) for every polygon.
+  template <class Take>
+  void ForEach(Take&& take) const {
+    for (std::size_t t = 0; t < rings_.size(); ++t) {
+      if (!rings_[t].empty())
+        take(rings_[t], first_triangle_ + static_cast<int>(t));
+    }
+  }
+
+ private:
+  /// An edge that two triangles share; the first one runs from low to high or
+  /// back, the second one the other way.
+  struct Diagonal {
+    std::pair<int, int> ends;  ///< vertices, the smaller index first
+    std::size_t triangle = 0;
+    std::size_t other = 0;
+  };
+
+  [[nodiscard]] std::vector<Diagonal> Diagonals() const {
+    std::vector<Diagonal> edges;
+    for (std::size_t t = 0; t < rings_.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k)
+        edges.push_back(
+            {std::minmax({rings_[t][k], rings_[t][(k + 1) % 3]}), t, t});
+    }
+    std::ranges::sort(edges, [](const Diagonal& a, const Diagonal& b) {
+      return std::pair(a.ends, a.triangle) < std::pair(b.ends, b.triangle);
+    });
+    std::vector<Diagonal> diagonals;
+    for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+      if (edges[i].ends != edges[i + 1].ends) continue;
+      diagonals.push_back(
+          {edges[i].ends, edges[i].triangle, edges[i + 1].triangle});
+    }
+    return diagonals;
+  }
+
+  std::size_t RingWith(std::size_t triangle) {
+    while (joined_to_[triangle] != triangle)
+      triangle = joined_to_[triangle];
+    return triangle;
+  }
+
+  void Join(const Diagonal& diagonal) {
+    const std::size_t keep = RingWith(diagonal.triangle);
+    const std::size_t gone = RingWith(diagonal.other);
+    std::vector<int>& ring = rings_[keep];
+    std::vector<int>& added = rings_[gone];
+    if (ring.size() + added.size() - 2 > max_corners_) return;
+    // Both rings are turned so that the diagonal closes them.
+    const auto [low, high] = diagonal.ends;
+    TurnTo(ring, low, high);
+    TurnTo(added, ring.front(), ring.back());
+    const bool is_convex =
+        TurnsLeft(ring[ring.size() - 2], ring.back(), added[1]) &&
+        TurnsLeft(added[added.size() - 2], ring.front(), ring[1]);
+    if (!is_convex) return;
+    ring.insert(ring.end(), added.begin() + 1, added.end() - 1);
+    added.clear();
+    joined_to_[gone] = keep;
+  }
+
+  /// Turns a ring until its first and last corners are the two given ones, in
+  /// either order.
+  static void TurnTo(std::vector<int>& ring, int a, int b) {
+    const auto closes = [&] {
+      return std::minmax({ring.front(), ring.back()}) == std::minmax({a, b});
+    };
+    while (!closes())
+      std::ranges::rotate(ring, ring.begin() + 1);
+  }
+
+  [[nodiscard]] bool TurnsLeft(int a, int b, int c) const {
+    const auto at = [this](int vertex) {
+      return view_.vertices[Index(vertex)];
+    };
+    {
+      const RoundUpward rounding;
+      const RecipeEvaluator<Interval> interval(view_);
+      const auto sign = TrySign(
+          Turn(interval.TriangleNormal(first_triangle_), at(a), at(b), at(c)));
+      if (sign) return *sign == Sign::kPositive;
+    }
+    const RecipeEvaluator<Exact> exact(view_);
+    return SignOf(Turn(exact.TriangleNormal(first_triangle_), at(a), at(b),
+                       at(c))) == Sign::kPositive;
+  }
+
+  ReceiverView view_;
+  int first_triangle_;
+  std::size_t max_corners_;
+  /// Per triangle the polygon that it became; empty: joined to another one's.
+  std::vector<std::vector<int>> rings_;
+  std::vector<std::size_t> joined_to_;
+};
 
 }  // namespace
 
 ConvexPieces::ConvexPieces(const Scene& scene, int max_corners) {
-  const auto triangles = scene.triangles();
   const auto facets = scene.facets();
   first_piece_.reserve(facets.size() + 1);
   for (std::size_t f = 0; f < facets.size(); ++f) {
     first_piece_.push_back(static_cast<int>(pieces_.size()));
-    const auto own = triangles.subspan(Index(facets[f].first_triangle),
-                                       Index(facets[f].triangle_count));
     const int facet = static_cast<int>(f);
-    if (own.size() > 1) {
-      const std::vector<int> ring = RingOf(own, max_corners);
-      if (!ring.empty() && IsStrictlyConvex(ring, scene.vertices(), triangles,
-                                            facets[f].first_triangle)) {
-        AddPiece(ring, facet, facets[f].first_triangle);
-        continue;
-      }
+    const int first = facets[f].first_triangle;
+    if (facets[f].triangle_count == 1) {
+      AddPiece(scene.triangles()[Index(first)].vertices, facet, first);
+      continue;
     }
-    for (int t = 0; t < facets[f].triangle_count; ++t) {
-      const int triangle = facets[f].first_triangle + t;
-      AddPiece(triangles[Index(triangle)].vertices, facet, triangle);
-    }
+    FacetPieces(scene, facets[f], max_corners)
+        .ForEach([&](std::span<const int> corners, int triangle) {
+          AddPiece(corners, facet, triangle);
+        });
   }
   first_piece_.push_back(static_cast<int>(pieces_.size()));
   LinkEdges();

@@ -1,7 +1,8 @@
 // A scene as convex polygons: what the contour engine works on.
 //
-// A facet whose ring is strictly convex is one piece, any other facet is its
-// triangles. Fewer pieces mean fewer planes, and a quad has no diagonal.
+// A facet whose ring is strictly convex and short is one piece, any other facet
+// is cut in as few as greed finds. Fewer pieces mean fewer planes, and a quad has
+// no diagonal.
 
 #ifndef TRUELUX_SCENE_CONVEX_PIECES_H_
 #define TRUELUX_SCENE_CONVEX_PIECES_H_
@@ -30,8 +31,7 @@ class ConvexPieces {
  public:
   static constexpr int kMaxCorners = 7;
 
-  /// Facets with more than max_corners (3 .. kMaxCorners) corners are left as
-  /// triangles.
+  /// max_corners: of a piece, 3 .. kMaxCorners; 3 leaves all triangles apart.
   explicit ConvexPieces(const Scene& scene, int max_corners = kMaxCorners);
 
   [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }

@@ -30,14 +30,9 @@ SourceContour<Geometry>::SourceContour(const ConvexPieces& pieces,
 /// sides survived the horizon.
 template <class Geometry>
 bool SourceContour<Geometry>::IsDiagonal(int edge) const {
-  const auto is_source = [this](int piece) {
-    return std::ranges::any_of(parts_.sources(), [piece](const Part& part) {
-      return part.cone.piece == piece;
-    });
-  };
   for (int other = pieces_.NextSameEdge(edge); other != edge;
        other = pieces_.NextSameEdge(other)) {
-    if (is_source(pieces_.PieceOf(other))) return true;
+    if (parts_.IsSource(pieces_.PieceOf(other))) return true;
   }
   return false;
 }
@@ -188,16 +183,17 @@ void SourceContour<Geometry>::AddArc(const Owner& owner, std::size_t k,
                     owner.is_blocker ? kNoEdge : cone.edges[k]});
 }
 
-/// The arcs on the edges of a part, if the source is one cone. Exactly one
-/// side of an edge can then see the source, so that what is visible is what
-/// the other parts leave of that side.
+/// The arcs on the edges of a part of which exactly one side can see the
+/// source: what is visible is what the blockers leave of that side. An edge of
+/// a source of several cones bounds the polygon or is left out as a diagonal,
+/// and other cones of a simple polygon, clipped or not, do not reach it.
 template <class Geometry>
 void SourceContour<Geometry>::SweepPart(const Owner& owner) {
   cones_.Complete(owner.part->cone);
   std::uint32_t open = StartEdges(owner);
   if (open == 0) return;
   const ImageBox& box = owner.is_blocker ? parts_.blocker_boxes()[owner.index]
-                                         : parts_.source_box();
+                                         : parts_.source_boxes()[owner.index];
   const bool any_left = bins_.ForEach(box, [&](std::size_t p) {
     if (owner.is_blocker && p == owner.index) return true;
     return Hide(owner, p, open);
@@ -213,7 +209,7 @@ void SourceContour<Geometry>::SweepPart(const Owner& owner) {
   }
 }
 
-/// The arcs on one edge of a part, whatever the source.
+/// The arcs on one edge of a blocker, whatever the source.
 template <class Geometry>
 void SourceContour<Geometry>::SweepEdgeOfMany(const Owner& owner,
                                               std::size_t k) {
@@ -222,21 +218,21 @@ void SourceContour<Geometry>::SweepEdgeOfMany(const Owner& owner,
   const Cone& cone = owner.part->cone;
   edges_[k] = {cone.planes[k], cone.From(k), cone.To(k)};
   const ViewEdge& edge = edges_[k];
+  const ImageBox box = parts_.BoxOfEdge(edge.from, edge.to);
   sweep_.Start(edge);
   bool any_source = false;
   Cover cover;
-  for (const Part& source : parts_.sources()) {
+  for (std::size_t s = 0; s < parts_.sources().size(); ++s) {
+    if (!parts_.source_boxes()[s].Meets(box)) continue;
+    const Part& source = parts_.sources()[s];
     if (!CoverOf(geometry_, edge, source.cone, cover)) continue;
     any_source = true;
     sweep_.AddSource(cover);
     if (IsOwnedBefore(source, cover, id)) sweep_.AddOwner(cover);
   }
   if (!any_source) return;
-  const auto boxes = parts_.blocker_boxes();
-  const ImageBox& box =
-      owner.is_blocker ? boxes[owner.index] : parts_.source_box();
   const bool any_left = bins_.ForEach(box, [&](std::size_t p) {
-    if (!boxes[p].Meets(box)) return true;
+    if (!parts_.blocker_boxes()[p].Meets(box)) return true;
     Part& blocker = parts_.blockers()[p];
     cones_.Complete(blocker.cone);
     if (!CoverOf(geometry_, edge, blocker.cone, cover)) return true;
@@ -264,7 +260,7 @@ void SourceContour<Geometry>::AppendArcs(std::vector<ViewArc>& arcs) {
   const auto sweep = [&](std::span<Part> parts, bool are_blockers) {
     for (std::size_t p = 0; p < parts.size(); ++p) {
       const Owner owner{&parts[p], p, are_blockers};
-      if (one_cone) {
+      if (one_cone || !are_blockers) {
         SweepPart(owner);
         continue;
       }

@@ -49,14 +49,15 @@ class SourceContour {
   bool IsInner(int edge);
   static bool IsOwnedBefore(const Part& part, const Cover& cover, int id);
 
-  // A source that is one cone: what is needed of an edge is one side of it.
+  // Of the edges of a source, and of those of blockers before a source that is
+  // one cone, exactly one side can see it.
   void SweepPart(const Owner& owner);
   std::uint32_t StartEdges(const Owner& owner);
   bool StartEdge(const Owner& owner, std::size_t k);
   bool Hide(const Owner& owner, std::size_t p, std::uint32_t& open);
   void AddArc(const Owner& owner, std::size_t k, const VisiblePiece& piece);
 
-  // Any source: edge by edge.
+  // A blocker's edge before any source.
   void SweepEdgeOfMany(const Owner& owner, std::size_t k);
 
   const ConvexPieces& pieces_;

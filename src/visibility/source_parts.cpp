@@ -20,12 +20,14 @@ SourceParts<Geometry>::SourceParts(const Scene& scene,
       pieces_(pieces),
       geometry_(geometry),
       cones_(cones),
+      source_of_(pieces.pieces().size()),
       blocker_of_(pieces.pieces().size()) {}
 
 template <class Geometry>
 bool SourceParts<Geometry>::SetSource(int facet) {
   facet_ = facet;
   sources_.clear();
+  source_boxes_.clear();
   blockers_.clear();
   blocker_boxes_.clear();
   hidden_ = false;
@@ -44,12 +46,15 @@ bool SourceParts<Geometry>::SetSource(int facet) {
     if (auto cone = cones_.AboveHorizon(piece)) {
       cones_.Complete(*cone);
       sources_.push_back({*cone, {}});
+      source_of_[Index(piece)] = source_generation_;
     }
   }
   if (sources_.empty()) return false;
-  source_box_ = BoxOf(sources_.front().cone);
   for (const Part& part : sources_)
-    source_box_.Include(BoxOf(part.cone));
+    source_boxes_.push_back(BoxOf(part.cone));
+  source_box_ = source_boxes_.front();
+  for (const ImageBox& box : source_boxes_)
+    source_box_.Include(box);
   return true;
 }
 
@@ -126,12 +131,17 @@ bool SourceParts<Geometry>::MayBlock(int piece, ImageBox& box) {
   return !misses && box.Meets(source_box_);
 }
 
-/// Whether some plane of the source has the whole cone on its outer side.
-/// (Cones that only another plane separates are missed; they cost time, not
-/// correctness.)
+/// Whether some plane of the source has the whole cone, whose box is given, on
+/// its outer side; of a source of several cones, whether its boxes are apart
+/// from the cone's. (Cones that only another plane separates are missed; they
+/// cost time, not correctness.)
 template <class Geometry>
-bool SourceParts<Geometry>::IsApart(const Cone& cone) {
-  if (sources_.size() != 1) return false;
+bool SourceParts<Geometry>::IsApart(const Cone& cone, const ImageBox& box) {
+  if (sources_.size() != 1) {
+    return std::ranges::none_of(source_boxes_, [&box](const ImageBox& source) {
+      return source.Meets(box);
+    });
+  }
   const std::uint32_t all = geometry_.BundleMask(sources_.front().cone.bundle);
   std::uint32_t inside = 0;
   for (std::size_t k = 0; k < cone.size; ++k) {
@@ -173,7 +183,7 @@ void SourceParts<Geometry>::AddBlocker(int piece, const ImageBox& box) {
   } else {
     part.cone = cones_.Whole(piece);
   }
-  if (IsApart(part.cone)) return;
+  if (IsApart(part.cone, part_box)) return;
   if (part_box.Contains(source_box_)) {
     cones_.Complete(part.cone);
     hidden_ = std::ranges::all_of(sources_, [&](const Part& source) {

@@ -64,6 +64,12 @@ class SourceParts {
     return blocker_boxes_;
   }
 
+  /// The boxes of sources(), in their order.
+  [[nodiscard]] std::span<const ImageBox> source_boxes() const {
+    return source_boxes_;
+  }
+
+  /// Contains them all.
   [[nodiscard]] const ImageBox& source_box() const { return source_box_; }
 
   /// Whether one blocker alone certainly hides the whole source.
@@ -77,6 +83,11 @@ class SourceParts {
     DirectionEntry& entry = EntryOf(direction);
     if (entry.sides == kNoSides) FindSides(direction, entry);
     return sides_[static_cast<std::size_t>(entry.sides)];
+  }
+
+  /// Whether a piece is one of sources().
+  [[nodiscard]] bool IsSource(int piece) const {
+    return source_of_[static_cast<std::size_t>(piece)] == source_generation_;
   }
 
   /// Whether a piece blocks the source with any part of it, hidden by other
@@ -122,7 +133,7 @@ class SourceParts {
   void FindEntry(int direction);
   void FindSides(int direction, DirectionEntry& entry);
   ImageBox BoxOf(const Cone& cone);
-  bool IsApart(const Cone& cone);
+  bool IsApart(const Cone& cone, const ImageBox& box);
 
   const Scene& scene_;
   const ConvexPieces& pieces_;
@@ -134,11 +145,13 @@ class SourceParts {
   ImageChart chart_;
   ImageBox source_box_;
   std::vector<Part> sources_;
+  std::vector<ImageBox> source_boxes_;
   std::vector<Part> blockers_;
   std::vector<ImageBox> blocker_boxes_;
   std::vector<bool> dropped_;  ///< per blocker, while they are looked through
   bool hidden_ = false;
   std::uint64_t source_generation_ = 0;    ///< one more for every SetSource
+  std::vector<std::uint64_t> source_of_;   ///< per piece: last source it is in
   std::vector<std::uint64_t> blocker_of_;  ///< per piece: last source it blocks
   std::vector<DirectionEntry> entries_;    ///< per direction id
   std::vector<BundleSides> sides_;         ///< of directions to the source

@@ -22,3 +22,16 @@ run(${CMAKE_COMMAND} --no-warn-unused-cli -G Ninja -S ${SOURCE} -B ${WORK}/build
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer)
 run(${WORK}/installed/bin/truelux --version)
+
+# The manual pages say what --help says.
+find_program(HELP2MAN help2man)
+if(HELP2MAN)
+  file(READ ${WORK}/installed/share/man/man1/truelux-eval.1 page)
+  foreach(words "truelux-eval \\- irradiance" ".SH OPTIONS"
+      "\\-\\-on\\-face" ".SH \"SEE ALSO\"" "a comparison failed")
+    string(FIND "${page}" "${words}" found)
+    if(found EQUAL -1)
+      message(FATAL_ERROR "truelux-eval.1 lacks ${words}")
+    endif()
+  endforeach()
+endif()

@@ -3,12 +3,19 @@
 #include "scene/convex_pieces.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <set>
+#include <span>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "truelux/scene.h"
+
+#include "support/portable_random.h"
 
 namespace truelux {
 namespace {
@@ -49,45 +56,108 @@ TEST(ConvexPieces, AStrictlyConvexFaceIsOnePiece) {
   }
 }
 
-struct TriangleCase {
+struct PiecesCase {
   const char* what;
   std::vector<Point3> ring;
-  std::size_t pieces;
+  std::vector<int> corners;  ///< of the pieces, sorted
 };
 
-class LeftAsTriangles : public ::testing::TestWithParam<TriangleCase> {};
+class SeveralPieces : public ::testing::TestWithParam<PiecesCase> {};
 
-TEST_P(LeftAsTriangles, OnePieceEach) {
-  const Scene scene = SceneOf({GetParam().ring});
-  const ConvexPieces pieces(scene);
-  EXPECT_EQ(pieces.pieces().size(), GetParam().pieces);
+TEST_P(SeveralPieces, HaveSoManyCorners) {
+  const ConvexPieces pieces(SceneOf({GetParam().ring}));
+  std::vector<int> corners;
   for (const Piece& piece : pieces.pieces())
-    EXPECT_EQ(piece.corner_count, 3);
+    corners.push_back(piece.corner_count);
+  std::ranges::sort(corners);
+  EXPECT_EQ(corners, GetParam().corners) << GetParam().what;
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Cases, LeftAsTriangles,
+    Cases, SeveralPieces,
     ::testing::Values(
-        TriangleCase{"a triangle", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 1},
-        TriangleCase{
-            "an arrow", {{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {0.5, 1, 0}}, 2},
-        TriangleCase{"a corner of 180 degrees",
-                     {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}},
-                     3},
-        TriangleCase{"a corner one ulp inward",
-                     {{0, 0, 0}, {1, 0x1p-52, 0}, {2, 0, 0}, {0, 2, 0}},
-                     2},
-        TriangleCase{"eight corners",
-                     {{2, 0, 0},
-                      {4, 0, 0},
-                      {6, 2, 0},
-                      {6, 4, 0},
-                      {4, 6, 0},
-                      {2, 6, 0},
-                      {0, 4, 0},
-                      {0, 2, 0}},
-                     6}),
+        PiecesCase{"a triangle", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {3}},
+        PiecesCase{
+            "an arrow", {{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {0.5, 1, 0}}, {3, 3}},
+        PiecesCase{"a corner of 180 degrees",
+                   {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}},
+                   {3, 4}},
+        PiecesCase{"a corner one ulp inward",
+                   {{0, 0, 0}, {1, 0x1p-52, 0}, {2, 0, 0}, {0, 2, 0}},
+                   {3, 3}},
+        PiecesCase{"eight corners",
+                   {{2, 0, 0},
+                    {4, 0, 0},
+                    {6, 2, 0},
+                    {6, 4, 0},
+                    {4, 6, 0},
+                    {2, 6, 0},
+                    {0, 4, 0},
+                    {0, 2, 0}},
+                   {3, 7}},
+        PiecesCase{
+            "an L",
+            {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}},
+            {4, 4}}),
     [](const auto& tested) { return "Case" + std::to_string(tested.index); });
+
+/// Twice the signed area of a ring in the plane z = 0; exact for small integers.
+double TwiceArea(const Scene& scene, std::span<const int> ring) {
+  double sum = 0;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const auto at = [&](std::size_t i) {
+      return scene.vertices()[static_cast<std::size_t>(ring[i % ring.size()])];
+    };
+    sum += at(k).x * at(k + 1).y - at(k + 1).x * at(k).y;
+  }
+  return sum;
+}
+
+TEST(ConvexPieces, OfStarsAreConvexAndTileThem) {
+  testing::PortableRandom random(5);
+  std::size_t triangles = 0;
+  std::size_t pieces_of_all = 0;
+  for (int round = 0; round < 300; ++round) {
+    // A star on a lattice: one corner in each of `count` directions.
+    const int count = 5 + round % 28;
+    std::vector<Point3> ring;
+    for (int k = 0; k < count; ++k) {
+      const double turn = 2 * std::numbers::pi * k / count;
+      const double length = 1000 + 9000 * random.Unit();
+      ring.push_back({std::round(length * std::cos(turn)),
+                      std::round(length * std::sin(turn)), 0});
+    }
+    const Scene scene = SceneOf({ring});
+    const ConvexPieces pieces(scene);
+    triangles += scene.triangles().size();
+    pieces_of_all += pieces.pieces().size();
+    double sum = 0;
+    for (const Piece& piece : pieces.pieces()) {
+      const auto corners = pieces.CornersOf(piece);
+      sum += TwiceArea(scene, corners);
+      ASSERT_LE(piece.corner_count, ConvexPieces::kMaxCorners);
+      for (int k = 0; k < piece.corner_count; ++k) {
+        const auto n = static_cast<std::size_t>(piece.corner_count);
+        const auto i = static_cast<std::size_t>(k);
+        const std::array<int, 3> turn{corners[i], corners[(i + 1) % n],
+                                      corners[(i + 2) % n]};
+        ASSERT_GT(TwiceArea(scene, turn), 0) << "round " << round;
+      }
+    }
+    const Face& face = scene.faces()[0];
+    EXPECT_EQ(
+        sum,
+        TwiceArea(scene, scene.corners().subspan(
+                             0, static_cast<std::size_t>(face.corner_count))));
+  }
+  // Random stars have reflex corners, but joining pays.
+  EXPECT_LT(pieces_of_all, triangles * 6 / 10);
+}
+
+TEST(ConvexPieces, MaxCornersOfThreeLeavesTriangles) {
+  const Scene scene = SceneOf({kSquare});
+  EXPECT_EQ(ConvexPieces(scene, 3).pieces().size(), 2U);
+}
 
 TEST(ConvexPieces, ACornerOneUlpOutwardIsConvex) {
   const ConvexPieces pieces(

@@ -1,0 +1,46 @@
+# Manual pages, made from --help by help2man: truelux(1), truelux-eval(1), ..
+find_program(HELP2MAN help2man)
+mark_as_advanced(HELP2MAN)
+
+# One line each for the NAME section.
+set(_truelux_pages
+  "|exact irradiance from polygons that others partly hide"
+  "bench|compare methods on a scene, speed against error"
+  "eval|irradiance at receivers in a scene"
+  "stability|accuracy of every formula on hard families")
+
+set(_truelux_pages_made "")
+foreach(_page IN LISTS _truelux_pages)
+  string(REGEX MATCH "^([a-z]*)[|](.*)$" _ "${_page}")
+  set(_command ${CMAKE_MATCH_1})
+  set(_summary ${CMAKE_MATCH_2})
+  set(_name truelux)
+  set(_see "")
+  if(_command)
+    set(_name truelux-${_command})
+    set(_see " ${_command}")
+  endif()
+  set(_file ${PROJECT_BINARY_DIR}/man/${_name}.1)
+  # help2man names a page after the file that it runs.
+  set(_script ${PROJECT_BINARY_DIR}/man/${_name})
+  file(GENERATE OUTPUT ${_script}
+    CONTENT "#!/bin/sh\nexec '$<TARGET_FILE:truelux>'${_see} \"$@\"\n"
+    FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE
+    GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+  if(HELP2MAN)
+    add_custom_command(OUTPUT ${_file}
+      COMMAND ${HELP2MAN} --no-info --section=1 --name=${_summary}
+        --version-string=${PROJECT_VERSION} --source=truelux
+        --include=${PROJECT_SOURCE_DIR}/cmake/truelux_man.inc
+        --output=${_file} ${_script}
+      DEPENDS truelux ${PROJECT_SOURCE_DIR}/cmake/truelux_man.inc
+      VERBATIM)
+    list(APPEND _truelux_pages_made ${_file})
+  endif()
+endforeach()
+add_custom_target(man ALL DEPENDS ${_truelux_pages_made})
+if(HELP2MAN)
+  install(FILES ${_truelux_pages_made} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+else()
+  message(STATUS "No help2man: there will be no manual pages")
+endif()

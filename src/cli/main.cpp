@@ -11,6 +11,7 @@
 #include "cli/cmd_bench.h"
 #include "cli/cmd_eval.h"
 #include "cli/cmd_inspect.h"
+#include "cli/cmd_render.h"
 #include "cli/cmd_stability.h"
 #include "cli/exit_status.h"
 #include "cli/help_format.h"
@@ -72,6 +73,8 @@ ExitStatus Run(int argc, char** argv) {
   AddBenchCommand(app, bench);
   InspectArguments inspect;
   AddInspectCommand(app, inspect);
+  RenderArguments render;
+  AddRenderCommand(app, render);
   StabilityArguments stability;
   AddStabilityCommand(app, stability);
   for (CLI::App* command : app.get_subcommands({}))
@@ -80,6 +83,7 @@ ExitStatus Run(int argc, char** argv) {
     app.parse(argc, argv);
     if (app.got_subcommand("bench")) return RunBench(bench);
     if (app.got_subcommand("inspect")) return RunInspect(inspect);
+    if (app.got_subcommand("render")) return RunRender(render);
     if (app.got_subcommand("stability")) return RunStability(stability);
     return RunEval(eval);
   } catch (const CLI::CallForHelp&) {

@@ -1,0 +1,272 @@
+#include "visibility/first_hit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+#include "exact/double_double.h"
+#include "exact/filter.h"
+#include "exact/number.h"
+#include "exact/rational.h"
+#include "exact/sign.h"
+#include "exact/vec3.h"
+#include "scene/newell.h"
+#include "scene/ray_boxes.h"
+
+namespace truelux {
+namespace {
+
+/// The corners of a triangle.
+struct Corners {
+  Corners(const Scene& scene, int index) {
+    const Triangle& triangle =
+        scene.triangles()[static_cast<std::size_t>(index)];
+    for (std::size_t k = 0; k < 3; ++k)
+      at[k] = scene.vertices()[static_cast<std::size_t>(triangle.vertices[k])];
+  }
+
+  std::array<Point3, 3> at;
+};
+
+/// N . (p - origin) and N . d of a triangle with normal N and a point p on it,
+/// both times the sign of the latter: the ray is in the plane where the
+/// parameter is height / speed.
+struct ExactParameter {
+  ExactParameter(const Ray& ray, const Corners& corners) {
+    const auto& [a, b, c] = corners.at;
+    const Vec3<Exact> normal =
+        Cross(Displacement<Exact>(a, b), Displacement<Exact>(a, c));
+    height = Dot(normal, Displacement<Exact>(ray.origin, a));
+    speed =
+        Dot(normal, Vec3<Exact>{Exact(ray.direction.x), Exact(ray.direction.y),
+                                Exact(ray.direction.z)});
+    if (SignOf(speed) == Sign::kNegative) {
+      height = -height;
+      speed = -speed;
+    }
+  }
+
+  Exact height;
+  Exact speed;
+};
+
+/// A triangle that the ray meets, and where.
+struct MetTriangle {
+  int triangle = -1;
+  bool from_front = false;
+  double least = 0;  ///< the ray's parameter lies in [least, most]
+  double most = HUGE_VAL;
+};
+
+/// One search. All members require RoundUpward.
+class Search {
+ public:
+  Search(const Scene& scene, const Ray& ray)
+      : scene_(scene),
+        ray_(ray),
+        direction_(MakeFilteredDirection(
+            {ray.direction.x, ray.direction.y, ray.direction.z, 0})),
+        boxes_(ray.origin, ray.direction) {}
+
+  [[nodiscard]] const RayBoxes& boxes() const { return boxes_; }
+
+  [[nodiscard]] const FirstHitCounts& counts() const { return counts_; }
+
+  [[nodiscard]] std::optional<FirstHit> result() const {
+    if (first_.triangle < 0) return std::nullopt;
+    return FirstHit{first_.triangle, first_.from_front};
+  }
+
+  /// Takes a triangle into account.
+  void Try(int index) {
+    const Corners corners(scene_, index);
+    std::array<FilteredDirection, 3> spokes;
+    for (std::size_t k = 0; k < 3; ++k)
+      spokes[k] = FilteredDifference(ray_.origin, corners.at[k]);
+    // The three determinants add up to N . d.
+    Sign side = Sign::kZero;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Sign edge = EdgeSide(corners, spokes[k], k);
+      if (edge == Sign::kZero) continue;
+      if (side == -edge) return;
+      side = edge;
+    }
+    if (side == Sign::kZero) return;  // the ray lies in a parallel plane
+    MetTriangle met{index, side == Sign::kNegative, 0, HUGE_VAL};
+    const FilteredPlane normal = MakeFilteredPlane(
+        FilteredCross(FilteredDifference(corners.at[0], corners.at[1]),
+                      FilteredDifference(corners.at[0], corners.at[2])));
+    if (HeightSide(normal, spokes[0], corners) != side) return;
+    Bound(normal, spokes[0], side, met);
+    if (first_.triangle >= 0 && !IsBefore(met, corners)) return;
+    first_ = met;
+    boxes_.EndAt(met.most);
+  }
+
+ private:
+  /// Sign of det(d, p_k, p_k+1), corners relative to the origin.
+  Sign EdgeSide(const Corners& corners, const FilteredDirection& spoke,
+                std::size_t k) {
+    const Point3& from = corners.at[k];
+    const Point3& to = corners.at[k == 2 ? 0 : k + 1];
+    const FilteredPlane plane =
+        MakeFilteredPlane(FilteredCross(spoke, FilteredDifference(from, to)));
+    if (const auto sign = TrySign(FilteredDot(plane, direction_))) {
+      ++counts_.side_filter;
+      return *sign;
+    }
+    ++counts_.side_exact;
+    return SignOf(Determinant(
+        Vec3<Exact>{Exact(ray_.direction.x), Exact(ray_.direction.y),
+                    Exact(ray_.direction.z)},
+        Displacement<Exact>(ray_.origin, from), Displacement<Exact>(from, to)));
+  }
+
+  /// Sign of N . (p - origin).
+  Sign HeightSide(const FilteredPlane& normal, const FilteredDirection& spoke,
+                  const Corners& corners) {
+    if (const auto sign = TrySign(FilteredDot(normal, spoke))) {
+      ++counts_.side_filter;
+      return *sign;
+    }
+    ++counts_.side_exact;
+    const auto& [a, b, c] = corners.at;
+    return SignOf(Determinant(Displacement<Exact>(a, b),
+                              Displacement<Exact>(a, c),
+                              Displacement<Exact>(ray_.origin, a)));
+  }
+
+  /// Bounds on the parameter height / speed, both known up to an error and
+  /// positive in truth.
+  void Bound(const FilteredPlane& normal, const FilteredDirection& spoke,
+             Sign side, MetTriangle& met) const {
+    const BoundedValue height = FilteredDot(normal, spoke);
+    const BoundedValue speed = FilteredDot(normal, direction_);
+    const double sign = side == Sign::kPositive ? 1 : -1;
+    const double h = sign * height.value;
+    const double s = sign * speed.value;
+    // -x is a number from below if x was rounded upwards.
+    const double minus_least_height = height.error - h;
+    const double minus_least_speed = speed.error - s;
+    if (minus_least_speed < 0)
+      met.most = (h + height.error) / -minus_least_speed;
+    if (minus_least_height < 0)
+      met.least = -(minus_least_height / (s + speed.error));
+    // Written so that a NaN tells nothing.
+    if (!(met.most >= 0)) met.most = HUGE_VAL;
+    if (!(met.least >= 0)) met.least = 0;
+  }
+
+  /// Whether a triangle is met before the first one so far; of triangles met
+  /// in one point, the one earlier in the file.
+  bool IsBefore(const MetTriangle& met, const Corners& corners) {
+    if (met.most < first_.least || first_.most < met.least) {
+      ++counts_.order_filter;
+      return met.most < first_.least;
+    }
+    ++counts_.order_exact;
+    const ExactParameter a(ray_, corners);
+    const ExactParameter b(ray_, Corners(scene_, first_.triangle));
+    const Sign order = SignOf(a.height * b.speed - b.height * a.speed);
+    if (order != Sign::kZero) return order == Sign::kNegative;
+    return met.triangle < first_.triangle;
+  }
+
+  const Scene& scene_;
+  const Ray& ray_;
+  FilteredDirection direction_;
+  RayBoxes boxes_;
+  MetTriangle first_;
+  FirstHitCounts counts_;
+};
+
+double LargestComponent(const Vector3& v) {
+  return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+}
+
+/// The parameter's numbers in about 106 bits; not known if these do not give
+/// it to more than 60.
+std::optional<DoubleDouble> NearParameter(const Ray& ray,
+                                          const Corners& corners) {
+  using Vec = Vec3<DoubleDouble>;
+  const auto displacement = [](const Point3& from, const Point3& to) {
+    return Vec{TwoSum(to.x, -from.x), TwoSum(to.y, -from.y),
+               TwoSum(to.z, -from.z)};
+  };
+  const auto largest = [](const Vec& v) {
+    return std::max(
+        {std::fabs(v.x.high), std::fabs(v.y.high), std::fabs(v.z.high)});
+  };
+  const auto& [a, b, c] = corners.at;
+  const Vec u = displacement(a, b);
+  const Vec v = displacement(a, c);
+  const Vec w = displacement(ray.origin, a);
+  const Vec normal{SumOfProducts(u.y, v.z, -u.z, v.y),
+                   SumOfProducts(u.z, v.x, -u.x, v.z),
+                   SumOfProducts(u.x, v.y, -u.y, v.x)};
+  const DoubleDouble height =
+      SumOfProducts(normal.x, w.x, normal.y, w.y, normal.z, w.z);
+  const DoubleDouble speed = normal.x * ray.direction.x +
+                             normal.y * ray.direction.y +
+                             normal.z * ray.direction.z;
+  // Each component of the normal is within 26 u^2 |u||v|, the rest adds less
+  // than 20 u^2 of the terms: in all below 2^-98 of them.
+  const double terms = largest(u) * largest(v);
+  const double height_terms = terms * largest(w);
+  const double speed_terms = terms * LargestComponent(ray.direction);
+  constexpr double kKnown = 0x1p-37;
+  const auto in_range = [](double x) { return x > 0x1p-800 && x < 0x1p800; };
+  if (!in_range(terms) || !in_range(height_terms) || !in_range(speed_terms) ||
+      !(std::fabs(height.high) > kKnown * height_terms) ||
+      !(std::fabs(speed.high) > kKnown * speed_terms)) {
+    return std::nullopt;
+  }
+  return height / speed;
+}
+
+}  // namespace
+
+FirstHitFinder::FirstHitFinder(const Scene& scene)
+    : scene_(scene), tree_(scene.vertices(), scene.triangles()) {}
+
+std::optional<FirstHit> FirstHitFinder::Find(const Ray& ray,
+                                             FirstHitCounts* counts) const {
+  const double size = LargestComponent(ray.direction);
+  const Point3& o = ray.origin;
+  if (!std::isfinite(o.x) || !std::isfinite(o.y) || !std::isfinite(o.z) ||
+      !(size >= 0x1p-500) || !(size <= 0x1p500)) {
+    throw std::invalid_argument(
+        "a ray's origin is not finite, or its direction is zero or not "
+        "between 2^-500 and 2^500");
+  }
+  const RoundUpward rounding;
+  Search search(scene_, ray);
+  tree_.Visit(search.boxes(),
+              [&search](int triangle) { search.Try(triangle); });
+  if (counts != nullptr) {
+    counts->side_filter += search.counts().side_filter;
+    counts->side_exact += search.counts().side_exact;
+    counts->order_filter += search.counts().order_filter;
+    counts->order_exact += search.counts().order_exact;
+  }
+  return search.result();
+}
+
+Point3 FirstHitFinder::PointOn(const Ray& ray, int triangle) const {
+  const Corners corners(scene_, triangle);
+  const Point3& o = ray.origin;
+  const Vector3& d = ray.direction;
+  if (const auto t = NearParameter(ray, corners)) {
+    return {(*t * d.x + o.x).high, (*t * d.y + o.y).high,
+            (*t * d.z + o.z).high};
+  }
+  const ExactParameter exact(ray, corners);
+  const mpq_class t = RationalOf(exact.height) / RationalOf(exact.speed);
+  return {NearestTo(mpq_class(o.x) + t * mpq_class(d.x)),
+          NearestTo(mpq_class(o.y) + t * mpq_class(d.y)),
+          NearestTo(mpq_class(o.z) + t * mpq_class(d.z))};
+}
+
+}  // namespace truelux

@@ -1,7 +1,7 @@
 // The four pictures of docs/gallery.md, small: every engine gives every pixel
 // the same bits, and no kind of pixel is missing.
 //
-// The arrangement engine takes 10 ms to 4 s a pixel here, so that of (a) and
+// The arrangement engine takes 10 ms to 4 s a pixel, so that of (a) and
 // (b) only some pixels are asked for; TRUELUX_LONG_TEST=1 asks for all.
 
 #include <algorithm>

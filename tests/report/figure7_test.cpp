@@ -47,7 +47,7 @@ std::ostream& operator<<(std::ostream& out, const Picture& picture) {
 const std::array<Picture, 4>& Pictures() {
   static const std::array<Picture, 4> pictures = {
       Picture{'a', Camera{{3, -14, 7.5}, {0.2, -0.3, 0.7}, {0, 0, 1}, 36}, 64,
-              5, 0},
+              37, 0},
       Picture{'b', std::nullopt, 16, 19, 0},
       Picture{'c', Camera{{4, -15, 7.5}, {0, -0.2, 0.9}, {0, 0, 1}, 38}, 64, 1,
               17},

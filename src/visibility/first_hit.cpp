@@ -226,6 +226,53 @@ std::optional<DoubleDouble> NearParameter(const Ray& ray,
   return height / speed;
 }
 
+Point3 RoundedPointOn(const Ray& ray, const Corners& corners) {
+  const Point3& o = ray.origin;
+  const Vector3& d = ray.direction;
+  if (const auto t = NearParameter(ray, corners)) {
+    return {(*t * d.x + o.x).high, (*t * d.y + o.y).high,
+            (*t * d.z + o.z).high};
+  }
+  const ExactParameter exact(ray, corners);
+  const mpq_class t = RationalOf(exact.height) / RationalOf(exact.speed);
+  return {NearestTo(mpq_class(o.x) + t * mpq_class(d.x)),
+          NearestTo(mpq_class(o.y) + t * mpq_class(d.y)),
+          NearestTo(mpq_class(o.z) + t * mpq_class(d.z))};
+}
+
+/// Moves a point that is behind a plane by rounding to the side that is seen,
+/// along the axis on which a unit in the last place leads farthest.
+void LiftFrom(const Corners& corners, bool from_front, Point3& point) {
+  const auto& [a, b, c] = corners.at;
+  const Vec3<Exact> normal =
+      Cross(Displacement<Exact>(a, b), Displacement<Exact>(a, c));
+  const Sign behind = from_front ? Sign::kNegative : Sign::kPositive;
+  const auto is_behind = [&] {
+    return SignOf(HeightOver(normal, a, point)) == behind;
+  };
+  if (!is_behind()) return;
+  const std::array<double*, 3> coordinates{&point.x, &point.y, &point.z};
+  std::size_t axis = 0;
+  double farthest = -1;
+  double towards = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Sign side = SignOf(Component(normal, static_cast<int>(k)));
+    if (side == Sign::kZero) continue;
+    const double up = side == behind ? -HUGE_VAL : HUGE_VAL;
+    const double step =
+        std::fabs(std::nextafter(*coordinates[k], up) - *coordinates[k]) *
+        std::fabs(CGAL::to_double(Component(normal, static_cast<int>(k))));
+    if (step > farthest) {
+      farthest = step;
+      axis = k;
+      towards = up;
+    }
+  }
+  // Rounding moved it by at most half a unit along each axis.
+  for (int i = 0; i < 4 && is_behind(); ++i)
+    *coordinates[axis] = std::nextafter(*coordinates[axis], towards);
+}
+
 }  // namespace
 
 FirstHitFinder::FirstHitFinder(const Scene& scene)
@@ -254,19 +301,11 @@ std::optional<FirstHit> FirstHitFinder::Find(const Ray& ray,
   return search.result();
 }
 
-Point3 FirstHitFinder::PointOn(const Ray& ray, int triangle) const {
-  const Corners corners(scene_, triangle);
-  const Point3& o = ray.origin;
-  const Vector3& d = ray.direction;
-  if (const auto t = NearParameter(ray, corners)) {
-    return {(*t * d.x + o.x).high, (*t * d.y + o.y).high,
-            (*t * d.z + o.z).high};
-  }
-  const ExactParameter exact(ray, corners);
-  const mpq_class t = RationalOf(exact.height) / RationalOf(exact.speed);
-  return {NearestTo(mpq_class(o.x) + t * mpq_class(d.x)),
-          NearestTo(mpq_class(o.y) + t * mpq_class(d.y)),
-          NearestTo(mpq_class(o.z) + t * mpq_class(d.z))};
+Point3 FirstHitFinder::PointOn(const Ray& ray, const FirstHit& hit) const {
+  const Corners corners(scene_, hit.triangle);
+  Point3 point = RoundedPointOn(ray, corners);
+  LiftFrom(corners, hit.from_front, point);
+  return point;
 }
 
 }  // namespace truelux

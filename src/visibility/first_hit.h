@@ -50,9 +50,11 @@ class FirstHitFinder {
 
   /// Where a ray meets the plane of a triangle: each coordinate o + t d is
   /// rounded once, off by half an ulp and 2^-58 |t d| at most, so that a
-  /// coordinate of few digits is exact. Requires that the ray meets the
-  /// triangle (Find), and rounding to nearest.
-  [[nodiscard]] Point3 PointOn(const Ray& ray, int triangle) const;
+  /// coordinate of few digits is exact. If the rounded point is behind the
+  /// plane as seen from the origin, one coordinate moves by an ulp or two until
+  /// it is not: what is behind a face must not look over its edge. Requires
+  /// that the ray meets the triangle (Find), and rounding to nearest.
+  [[nodiscard]] Point3 PointOn(const Ray& ray, const FirstHit& hit) const;
 
  private:
   Scene scene_;

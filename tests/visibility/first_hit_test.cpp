@@ -137,18 +137,18 @@ TEST(FirstHit, AgreesWithASlowTwinOnALattice) {
     const Scene scene =
         MakeScene(RandomScene(random, true, random.Integer(1, 25), 3));
     const FirstHitFinder finder(scene);
-    for (int k = 0; k < 100; ++k)
+    for (int k = 0; k < 80; ++k)
       ExpectSame(scene, finder, RandomRay(random, true), kinds, counts);
   }
   EXPECT_GT(kinds.hits, 2000);
   EXPECT_GT(kinds.misses, 500);
-  EXPECT_GT(kinds.ties, 150);
+  EXPECT_GT(kinds.ties, 100);
   EXPECT_GT(kinds.coplanar, 50);
   EXPECT_GT(kinds.on_edge, 300);
   EXPECT_GT(kinds.eye_in_plane, 500);
   EXPECT_GT(kinds.parallel, 500);
   EXPECT_GT(counts.side_exact, 1000U);
-  EXPECT_GT(counts.order_exact, 300U);
+  EXPECT_GT(counts.order_exact, 200U);
   EXPECT_GT(counts.order_filter, 300U);
 }
 
@@ -238,7 +238,7 @@ TEST(FirstHit, ThePointIsRoundedOnceAndNeverBehindTheFace) {
       const mpq_class error = abs(mpq_class(found) - exact);
       const double unit =
           std::nextafter(std::fabs(found), HUGE_VAL) - std::fabs(found);
-      if (error > 0.501 * unit) ++moved;
+      if (error > 0.52 * unit) ++moved;
       EXPECT_LT(error.get_d(), 2.51 * unit);
     };
     expect_near(p.x, o.x + t * d.x);
@@ -258,6 +258,23 @@ TEST(FirstHit, PointsOfFewDigitsAreExact) {
   const auto hit = finder.Find(ray);
   ASSERT_TRUE(hit);
   EXPECT_EQ(finder.PointOn(ray, *hit), (Point3{4, 3.5, 2.75}));
+}
+
+TEST(FirstHit, PointsOnAPlaneAcrossAnAxisAreOnIt) {
+  PortableRandom random(15);
+  int hits = 0;
+  for (const double z : {0.0, 0.1, -5.3}) {
+    const Scene scene = MakeScene({{testing::Floor(-9, 9, -9, 9, z)}});
+    const FirstHitFinder finder(scene);
+    for (int i = 0; i < 200; ++i) {
+      const Ray ray = RandomRay(random, false);
+      const auto hit = finder.Find(ray);
+      if (!hit) continue;
+      ++hits;
+      EXPECT_EQ(finder.PointOn(ray, *hit).z, z);
+    }
+  }
+  EXPECT_GT(hits, 100);
 }
 
 TEST(FirstHit, HugeAndTinyScenesAndNoScene) {

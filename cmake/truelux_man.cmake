@@ -7,6 +7,8 @@ set(_truelux_pages
   "|exact irradiance from polygons that others partly hide"
   "bench|compare methods on a scene, speed against error"
   "eval|irradiance at receivers in a scene"
+  "inspect|all that one receiver sees, as a picture and as numbers"
+  "render|pictures of a scene, one irradiance a pixel"
   "stability|accuracy of every formula on hard families")
 
 set(_truelux_pages_made "")

@@ -10,6 +10,7 @@
 
 #include "cli/cmd_bench.h"
 #include "cli/cmd_eval.h"
+#include "cli/cmd_inspect.h"
 #include "cli/cmd_render.h"
 #include "cli/cmd_stability.h"
 #include "cli/exit_status.h"
@@ -70,6 +71,8 @@ ExitStatus Run(int argc, char** argv) {
   AddEvalCommand(app, eval);
   BenchArguments bench;
   AddBenchCommand(app, bench);
+  InspectArguments inspect;
+  AddInspectCommand(app, inspect);
   RenderArguments render;
   AddRenderCommand(app, render);
   StabilityArguments stability;
@@ -79,6 +82,7 @@ ExitStatus Run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (app.got_subcommand("bench")) return RunBench(bench);
+    if (app.got_subcommand("inspect")) return RunInspect(inspect);
     if (app.got_subcommand("render")) return RunRender(render);
     if (app.got_subcommand("stability")) return RunStability(stability);
     return RunEval(eval);

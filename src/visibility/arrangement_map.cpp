@@ -85,8 +85,8 @@ ImageDirection DirectionOf(const Kernel::Point_2& point) {
 /// Builds the map of one chart.
 class MapBuilder {
  public:
-  explicit MapBuilder(std::span<const ImageTriangle> triangles)
-      : triangles_(triangles) {
+  MapBuilder(std::span<const ImageTriangle> triangles, MapWalls walls)
+      : triangles_(triangles), walls_(walls) {
     for (const ImageTriangle& t : triangles) {
       planes_.push_back(PlaneOf(t));
       corners_.push_back({PointOf(Flat(t.corners[0])),
@@ -100,8 +100,10 @@ class MapBuilder {
   ViewMap Build() {
     AddEdges();
     AddMeetings();
+    if (walls_ == MapWalls::kClosed) AddWalls();
     CGAL::insert(arrangement_, curves_.begin(), curves_.end());
     LabelFaces();
+    NumberParts();
     return CollectEdges();
   }
 
@@ -122,6 +124,15 @@ class MapBuilder {
             Kernel::Segment_2(corners_[t][k], corners_[t][(k + 1) % 3]),
             TriangleIds{static_cast<int>(t)});
       }
+    }
+  }
+
+  void AddWalls() {
+    const Corners corners = {Kernel::Point_2(0, 0), Kernel::Point_2(1, 0),
+                             Kernel::Point_2(0, 1)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      curves_.emplace_back(Kernel::Segment_2(corners[k], corners[(k + 1) % 3]),
+                           TriangleIds{});
     }
   }
 
@@ -166,7 +177,7 @@ class MapBuilder {
   void LabelFaces() {
     std::vector<std::pair<Face, TriangleIds>> open;
     const Face outside = arrangement_.unbounded_face();
-    front_.emplace(&*outside, -1);
+    front_.emplace(&*outside, walls_ == MapWalls::kClosed ? kOutside : -1);
     open.emplace_back(outside, TriangleIds{});
     const auto enter = [&](const Halfedge& own, const TriangleIds& cover) {
       const Face next = own->twin()->face();
@@ -197,6 +208,39 @@ class MapBuilder {
            ++hole) {
         walk(*hole);
       }
+    }
+  }
+
+  /// Joins the faces on both sides of every edge that separates nothing.
+  void NumberParts() {
+    std::vector<int> parent;
+    std::vector<const void*> faces;
+    std::unordered_map<const void*, int> index_of;
+    for (auto face = arrangement_.faces_begin();
+         face != arrangement_.faces_end(); ++face) {
+      index_of.emplace(&*face, static_cast<int>(parent.size()));
+      parent.push_back(static_cast<int>(parent.size()));
+      faces.push_back(&*face);
+    }
+    const auto root = [&parent](int i) {
+      while (parent[Index(i)] != i) {
+        parent[Index(i)] = parent[Index(parent[Index(i)])];
+        i = parent[Index(i)];
+      }
+      return i;
+    };
+    for (auto edge = arrangement_.edges_begin();
+         edge != arrangement_.edges_end(); ++edge) {
+      const Face left = edge->face();
+      const Face right = edge->twin()->face();
+      if (front_.at(&*left) != front_.at(&*right)) continue;
+      parent[Index(root(index_of.at(&*left)))] = root(index_of.at(&*right));
+    }
+    std::vector<int> number(parent.size(), -1);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      int& own = number[Index(root(static_cast<int>(i)))];
+      if (own < 0) own = part_count_++;
+      part_.emplace(faces[i], own);
     }
   }
 
@@ -236,15 +280,19 @@ class MapBuilder {
     EdgeIndex edge_index;
     for (auto edge = arrangement_.edges_begin();
          edge != arrangement_.edges_end(); ++edge) {
-      const int left = front_.at(&*edge->face());
-      const int right = front_.at(&*edge->twin()->face());
+      const void* left_face = &*edge->face();
+      const void* right_face = &*edge->twin()->face();
+      const int left = front_.at(left_face);
+      const int right = front_.at(right_face);
       if (left == right) continue;
       const int from = index(edge->source());
       const int to = index(edge->target());
       edge_index[&*edge] = static_cast<int>(map.edges.size());
       edge_index[&*edge->twin()] = static_cast<int>(map.edges.size());
-      map.edges.push_back({from, to, left, right});
+      map.edges.push_back(
+          {from, to, left, right, part_.at(left_face), part_.at(right_face)});
     }
+    map.part_count = part_count_;
     map.edges_around.resize(map.vertices.size());
     for (auto vertex = arrangement_.vertices_begin();
          vertex != arrangement_.vertices_end(); ++vertex) {
@@ -275,13 +323,16 @@ class MapBuilder {
   std::vector<CGAL::Bbox_2> boxes_;
   std::vector<Traits::Curve_2> curves_;
   Arrangement arrangement_;
+  MapWalls walls_;
   std::unordered_map<const void*, int> front_;  ///< facet per face
+  std::unordered_map<const void*, int> part_;   ///< see MapEdge, per face
+  int part_count_ = 0;
 };
 
 }  // namespace
 
-ViewMap FrontMost(std::span<const ImageTriangle> triangles) {
-  return MapBuilder(triangles).Build();
+ViewMap FrontMost(std::span<const ImageTriangle> triangles, MapWalls walls) {
+  return MapBuilder(triangles, walls).Build();
 }
 
 }  // namespace truelux

@@ -24,7 +24,20 @@ struct MapEdge {
   int to = -1;
   int left = -1;   ///< facet seen on the left of from -> to; -1: none
   int right = -1;  ///< another facet, or -1
+  /// The connected parts of the view on both sides, numbered from 0 in each
+  /// map: two edges have the same number where they bound the same part.
+  int left_part = -1;
+  int right_part = -1;
 };
+
+/// What is seen, as far as a chart goes.
+enum class MapWalls {
+  kOpen,    ///< the chart's walls are edges only where a facet ends there
+  kClosed,  ///< the walls are edges all along; outside of them is kOutside
+};
+
+/// Stands for a facet beyond the walls of a chart.
+inline constexpr int kOutside = -2;
 
 /// The view in one chart. Edges between parts with the same facet are left
 /// out.
@@ -34,12 +47,14 @@ struct ViewMap {
   /// Per vertex the edges that end there, indices into `edges`, counter-
   /// clockwise in the chart.
   std::vector<std::vector<int>> edges_around;
+  int part_count = 0;
 };
 
 /// The map of the front-most facets (the smallest z/w). Where several are at
 /// the same place over a region, the one with the smallest index is in front.
 /// Triangles of one facet do not overlap.
-ViewMap FrontMost(std::span<const ImageTriangle> triangles);
+ViewMap FrontMost(std::span<const ImageTriangle> triangles,
+                  MapWalls walls = MapWalls::kOpen);
 
 }  // namespace truelux
 

@@ -33,14 +33,12 @@ bool HasPointAboveHorizon(const ContourQuery& query, const Facet& facet,
   return false;
 }
 
-/// All facets in a chart, clipped to its cone and cut into triangles; none if
-/// no source is among them.
+/// All facets in a chart, clipped to its cone and cut into triangles.
 std::vector<ImageTriangle> ImageOf(const ContourQuery& query,
                                    std::span<const FacetView> views,
                                    const ViewChart& chart) {
   const RecipeEvaluator<Exact> exact(ViewOf(query));
   std::vector<ImageTriangle> image;
-  bool has_source = false;
   for (const Triangle& triangle : query.scene.triangles()) {
     const FacetView& view = views[static_cast<std::size_t>(triangle.facet)];
     if (!view.blocks) continue;
@@ -55,10 +53,8 @@ std::vector<ImageTriangle> ImageOf(const ContourQuery& query,
     for (std::size_t k = 2; k < polygon.size(); ++k) {
       image.push_back(
           {{polygon[0], polygon[k - 1], polygon[k]}, triangle.facet});
-      has_source = has_source || view.is_source;
     }
   }
-  if (!has_source) image.clear();
   return image;
 }
 
@@ -89,9 +85,20 @@ std::vector<ChartView> ChartViewsOf(const ContourQuery& query,
   if (std::ranges::none_of(views, &FacetView::is_source)) return charts;
   for (const ViewChart& chart : ViewChartsOf(query.receiver.normal)) {
     const std::vector<ImageTriangle> image = ImageOf(query, views, chart);
-    if (!image.empty()) charts.push_back({chart, FrontMost(image)});
+    const bool has_source =
+        std::ranges::any_of(image, [&](const ImageTriangle& t) {
+          return views[static_cast<std::size_t>(t.facet)].is_source;
+        });
+    if (has_source) charts.push_back({chart, FrontMost(image)});
   }
   return charts;
+}
+
+ChartView WholeChartViewOf(const ContourQuery& query,
+                           std::span<const FacetView> views,
+                           std::size_t chart) {
+  const ViewChart own = ViewChartsOf(query.receiver.normal)[chart];
+  return {own, FrontMost(ImageOf(query, views, own), MapWalls::kClosed)};
 }
 
 }  // namespace truelux

@@ -4,6 +4,7 @@
 #ifndef TRUELUX_VISIBILITY_ARRANGEMENT_VIEW_H_
 #define TRUELUX_VISIBILITY_ARRANGEMENT_VIEW_H_
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,11 @@ struct ChartView {
 /// the same query.
 std::vector<ChartView> ChartViewsOf(const ContourQuery& query,
                                     std::span<const FacetView> views);
+
+/// One of the four charts, by its number from 0, with closed walls, whatever it
+/// holds.
+ChartView WholeChartViewOf(const ContourQuery& query,
+                           std::span<const FacetView> views, std::size_t chart);
 
 }  // namespace truelux
 

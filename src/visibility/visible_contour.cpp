@@ -1,31 +1,15 @@
 #include "visibility/visible_contour.h"
 
 #include <map>
-#include <set>
 #include <utility>
 
 #include "exact/primitive.h"
 #include "visibility/arc_cleanup.h"
+#include "visibility/coincidence.h"
 #include "visibility/view_edges.h"
 
 namespace truelux {
 namespace {
-
-/// What coincides in the direction of one vertex.
-struct Coincidence {
-  std::set<PrimitiveVector> planes;  ///< of edges, without sign
-  std::set<int> vertices;            ///< scene vertices exactly there
-  bool passed = false;  ///< an edge passes that does not end at such a vertex
-};
-
-/// Several of: scene vertex, crossing of edges, horizon point. A scene vertex
-/// explains all edges that end there; two planes make one crossing.
-bool IsConjunctive(const Coincidence& c, bool on_horizon) {
-  const std::size_t edges = c.planes.size();
-  if (on_horizon) return !c.vertices.empty() || edges > 1;
-  if (c.vertices.size() > 1) return true;
-  return c.vertices.empty() ? edges > 2 : c.passed;
-}
 
 /// Describes one contour; keeps the vertices found so far.
 class Describer {
@@ -120,29 +104,14 @@ class Describer {
         SignOf(Dot(evaluator_.ReceiverNormal(), d)) == Sign::kZero;
     ContourVertex& vertex = result_.vertices[index];
     vertex.direction = ToDouble(entry->first);
-    vertex.conjunctive = IsConjunctive(c, on_horizon);
-    vertex.planes = static_cast<int>(c.planes.size()) + (on_horizon ? 1 : 0);
-    if (!c.vertices.empty()) {
-      vertex.kind = VertexKind::kIntrinsic;
-      vertex.vertex = *c.vertices.begin();
-    } else if (on_horizon) {
-      vertex.kind = VertexKind::kHorizon;
-    }
+    c.Describe(on_horizon, vertex);
     return entry->second;
   }
 
   void Collect(const ViewEdges& edges, const Vec3<Exact>& d, Coincidence& c) {
     const Vec3<Exact> normal = evaluator_.ReceiverNormal();
     for (const ViewEdges::Hit& hit : edges.Through(d)) {
-      const bool is_horizon =
-          SignOf(Dot(Cross(hit.plane, normal), Cross(hit.plane, normal))) ==
-          Sign::kZero;
-      if (!is_horizon) c.planes.insert(WithoutSign(MakePrimitive(hit.plane)));
-      if (hit.vertex >= 0) {
-        c.vertices.insert(hit.vertex);
-      } else {
-        c.passed = true;
-      }
+      c.Add(hit.plane, hit.vertex, normal);
     }
   }
 

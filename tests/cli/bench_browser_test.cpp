@@ -1,14 +1,13 @@
 // The report of truelux bench in a browser: Chromium without a window.
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include <gtest/gtest.h>
 
+#include "cli/browser.h"
 #include "cli/program.h"
 #include "support/well_formed.h"
 
@@ -18,27 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 using testing::CountOf;
-
-/// What a shell command prints.
-std::string OutputOf(const std::string& command) {
-  FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("popen");
-  std::string text;
-  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe))
-    text += static_cast<char>(c);
-  pclose(pipe);
-  return text;
-}
-
-/// The browser's command, or "".
-std::string Browser() {
-  for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
-    const std::string found =
-        OutputOf(std::string("command -v ") + name + " 2>/dev/null");
-    if (!found.empty()) return name;
-  }
-  return "";
-}
 
 /// The part of a page from one text up to another.
 std::string Between(const std::string& text, std::string_view from,
@@ -66,11 +44,7 @@ class BenchInBrowser : public ::testing::Test {
   /// Runs the browser on a file of the folder.
   [[nodiscard]] std::string Open(const std::string& options,
                                  const std::string& file) const {
-    return OutputOf("timeout 50 " + browser_ +
-                    " --headless --no-sandbox --disable-gpu"
-                    " --disable-dev-shm-usage --user-data-dir='" +
-                    folder_ / "profile" + "' " + options + " 'file://" +
-                    folder_ / file + "' 2>/dev/null");
+    return OpenInBrowser(browser_, folder_, options, file);
   }
 
   TemporaryFolder folder_;

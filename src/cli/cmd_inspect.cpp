@@ -1,0 +1,133 @@
+#include "cli/cmd_inspect.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <fmt/format.h>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "truelux/irradiance.h"
+
+#include "cli/announce.h"
+#include "cli/interrupt.h"
+#include "cli/loading.h"
+#include "cli/messages.h"
+#include "cli/option_values.h"
+#include "cli/oracle_arguments.h"
+#include "cli/output_file.h"
+#include "cli/output_paths.h"
+#include "report/inspected_view.h"
+#include "report/receivers.h"
+#include "report/view_json.h"
+#include "report/view_svg.h"
+
+namespace truelux {
+namespace {
+
+/// What is to be done.
+struct InspectRequest {
+  std::string scene;
+  Receiver receiver;    ///< without its face
+  std::string on_face;  ///< the scene decides on its range; "": none
+  std::optional<std::string> output;  ///< path; "": standard output
+  std::optional<std::string> json;
+  ViewPicture picture;
+  Emission emission = Emission::kExitance;
+};
+
+Receiver ReceiverOf(const InspectArguments& arguments) {
+  std::array<std::string, kReceiverColumns.size()> texts;
+  std::ranges::copy(TripleTexts("--at", arguments.at), texts.begin());
+  std::ranges::copy(TripleTexts("--normal", arguments.normal),
+                    texts.begin() + 3);
+  std::vector<FieldDefect> defects;
+  const Receiver receiver = ParseReceiver(texts, defects);
+  if (!defects.empty()) {
+    const FieldDefect& defect = defects.front();
+    throw UsageError(fmt::format(
+        "{}: {}", defect.index < 3 ? "--at" : "--normal", defect.message));
+  }
+  return receiver;
+}
+
+/// "" for standard output; nothing if the option is not given.
+std::optional<std::string> OutputValue(const char* name,
+                                       const std::optional<std::string>& word) {
+  if (!word) return std::nullopt;
+  const std::string path = PathValue(name, word);
+  return path == "-" ? "" : path;
+}
+
+InspectRequest RequestOf(const InspectArguments& arguments) {
+  constexpr int kLargestWidth = 20000;
+  InspectRequest request;
+  request.scene = PathValue("SCENE.obj", arguments.scene);
+  request.receiver = ReceiverOf(arguments);
+  request.on_face = arguments.on_face.value_or("");
+  request.output = OutputValue("--output", arguments.output);
+  request.json = OutputValue("--json", arguments.json);
+  if (!request.output && !request.json) {
+    throw UsageError("nothing to write: give --output, --json or both");
+  }
+  if (arguments.projection == Name(ViewProjection::kGnomonic))
+    request.picture.projection = ViewProjection::kGnomonic;
+  request.picture.width = static_cast<int>(WholeNumberValue(
+      "--size", arguments.size, kSmallestViewWidth, kLargestWidth));
+  request.emission = EmissionOf(arguments.emission);
+  return request;
+}
+
+OutputPaths OutputsOf(const InspectRequest& request) {
+  OutputPaths outputs;
+  if (request.output) outputs.push_back({"--output", *request.output});
+  if (request.json) outputs.push_back({"--json", *request.json});
+  return outputs;
+}
+
+InspectedView LookAround(const Oracle& oracle, const InspectRequest& request) {
+  Receiver receiver = request.receiver;
+  if (!request.on_face.empty()) {
+    std::string defect;
+    const auto face =
+        ParseOnFace(request.on_face,
+                    static_cast<int>(oracle.scene().faces().size()), defect);
+    if (!face) throw UserError("--on-face: " + defect);
+    receiver.on_face = *face;
+  }
+  const std::string name =
+      std::filesystem::path(request.scene).filename().string();
+  InspectedView inspected = Inspect(oracle, name, receiver, Announce);
+  Announce("");
+  return inspected;
+}
+
+}  // namespace
+
+ExitStatus RunInspect(const InspectArguments& arguments) {
+  const InspectRequest request = RequestOf(arguments);
+  const OutputPaths outputs = OutputsOf(request);
+  CheckOutputs(outputs);
+  // Opened before the long work, so that a bad path is known at once.
+  std::optional<OutputFile> picture;
+  std::optional<OutputFile> json;
+  if (request.output) picture.emplace(*request.output);
+  if (request.json) json.emplace(*request.json);
+
+  const Oracle oracle(LoadScene(request.scene, outputs),
+                      {.emission = request.emission});
+  const InspectedView inspected = LookAround(oracle, request);
+  if (picture) picture->Write(ViewSvg(inspected, request.picture));
+  if (json) json->Write(ViewJson(inspected));
+  // Names are given at the very end, when nothing can fail but the naming.
+  if (picture) picture->Finish();
+  if (json) json->Finish();
+  StopIfInterrupted();
+  if (picture) picture->Commit();
+  if (json) json->Commit();
+  return ExitStatus::kDone;
+}
+
+}  // namespace truelux

@@ -1,0 +1,39 @@
+// truelux inspect: all that one receiver sees, as a picture and as numbers.
+
+#ifndef TRUELUX_CLI_CMD_INSPECT_H_
+#define TRUELUX_CLI_CMD_INSPECT_H_
+
+#include <optional>
+#include <string>
+
+#include "cli/exit_status.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
+class App;
+}
+
+namespace truelux {
+
+/// The words of the command line, before they are looked at.
+struct InspectArguments {
+  std::string scene;
+  std::string at;
+  std::string normal;
+  std::optional<std::string> on_face;
+  std::optional<std::string> output;
+  std::optional<std::string> json;
+  std::string projection;
+  std::string size;
+  std::string emission;
+};
+
+/// Adds the command to `app`. Parsing fills `arguments`, which must stay in
+/// place until then.
+void AddInspectCommand(CLI::App& app, InspectArguments& arguments);
+
+/// Runs it. Throws UserError for bad input, and Interruption.
+ExitStatus RunInspect(const InspectArguments& arguments);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_CLI_CMD_INSPECT_H_

@@ -8,6 +8,7 @@ set(_truelux_pages
   "bench|compare methods on a scene, speed against error"
   "eval|irradiance at receivers in a scene"
   "inspect|all that one receiver sees, as a picture and as numbers"
+  "render|pictures of a scene, one irradiance a pixel"
   "stability|accuracy of every formula on hard families")
 
 set(_truelux_pages_made "")

@@ -25,6 +25,8 @@ struct Tile {
 
   std::vector<Pixel> pixels;
   std::vector<Receiver> receivers;
+  /// What the evaluation said of each: is anything visible, and could it be.
+  std::vector<ShadowClass> classes;
 };
 
 class Renderer {
@@ -34,7 +36,8 @@ class Renderer {
       : oracle_(oracle),
         receivers_(receivers),
         wishes_(wishes),
-        progress_(progress) {
+        progress_(progress),
+        is_long_(wishes.arcs || wishes.classes) {
     const int w = receivers.width();
     const int h = receivers.height();
     result_.image.values = Raster<Rgb>(w, h);
@@ -56,8 +59,9 @@ class Renderer {
     WithThreads(threads, [&] {
       tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
         StopIfInterrupted();
-        Render(MakeTile(static_cast<int>(i % across) * kTile,
-                        static_cast<int>(i / across) * kTile));
+        Tile tile = MakeTile(static_cast<int>(i % across) * kTile,
+                             static_cast<int>(i / across) * kTile);
+        Render(tile);
       });
     });
     return std::move(result_);
@@ -83,17 +87,18 @@ class Renderer {
     return tile;
   }
 
-  void Render(const Tile& tile) {
+  void Render(Tile& tile) {
     oracle_.Evaluate(tile.receivers, [&](std::size_t i, const Irradiance& e) {
       const auto [x, y] = tile.pixels[i];
       result_.image.values.At(x, y) = e.value;
       result_.image.covered.At(x, y) = 1;
       if (wishes_.bounds) result_.bounds.At(x, y) = e.bound;
-      if (!wishes_.other) progress_.Advance();
+      tile.classes.push_back(DarkClassOf(e.statistics));
+      if (!is_long_) progress_.Advance();
       StopIfInterrupted();
     });
     if (wishes_.other) Compare(tile);
-    if (wishes_.arcs || wishes_.classes) Describe(tile);
+    if (is_long_) Describe(tile);
   }
 
   void Compare(const Tile& tile) {
@@ -107,14 +112,29 @@ class Renderer {
             difference[k] =
                 value[k] == e.value[k] ? 0 : std::fabs(value[k] - e.value[k]);
           }
-          progress_.Advance();
           StopIfInterrupted();
         });
   }
 
+  /// kConjunctive: not dark, the contour has to tell.
+  [[nodiscard]] ShadowClass DarkClassOf(const Statistics& statistics) const {
+    // Sums over vertices count no arcs.
+    if (oracle_.options().engine == Engine::kAngularSpans)
+      return ShadowClass::kConjunctive;
+    if (statistics.sources == 0) return ShadowClass::kNoSource;
+    return statistics.arcs == 0 ? ShadowClass::kUmbra
+                                : ShadowClass::kConjunctive;
+  }
+
   void Describe(const Tile& tile) {
     for (std::size_t i = 0; i < tile.pixels.size(); ++i) {
+      progress_.Advance();
+      StopIfInterrupted();
       const auto [x, y] = tile.pixels[i];
+      if (tile.classes[i] != ShadowClass::kConjunctive) {
+        if (wishes_.classes) result_.classes.At(x, y) = tile.classes[i];
+        continue;  // no arcs, either
+      }
       const VisibleContour contour = oracle_.Contour(tile.receivers[i]);
       if (wishes_.arcs) {
         result_.arcs.At(x, y) = static_cast<std::int32_t>(contour.arcs.size());
@@ -123,7 +143,6 @@ class Renderer {
         result_.classes.At(x, y) =
             ShadowClassOf(oracle_.scene(), tile.receivers[i], contour);
       }
-      StopIfInterrupted();
     }
   }
 
@@ -131,6 +150,8 @@ class Renderer {
   const PixelReceivers& receivers_;
   const PixelWishes& wishes_;
   Progress& progress_;
+  /// Whether contours are described, which takes longest.
+  bool is_long_;
   RenderedPixels result_;
 };
 

@@ -31,7 +31,7 @@ std::optional<Receiver> CameraPixels::At(int x, int y) const {
                                     : normals_[static_cast<std::size_t>(facet)];
   // Not a bare minus: zeros stay without a sign.
   if (!hit->from_front) normal = {0 - normal.x, 0 - normal.y, 0 - normal.z};
-  return Receiver{finder_.PointOn(ray, hit->triangle), normal,
+  return Receiver{finder_.PointOn(ray, *hit), normal,
                   scene_.facets()[static_cast<std::size_t>(facet)].face + 1};
 }
 

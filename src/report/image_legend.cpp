@@ -62,7 +62,7 @@ class LegendPainter {
     if (legend_.scale) {
       const int bottom = result_.height() - scale_ * (kMargin + SwatchHeight());
       PaintBar(x, y + scale_ * kGap, bottom - scale_ * kGap);
-      y = bottom;
+      y = bottom + scale_ * kGap;
     }
     for (const Swatch& swatch : legend_.swatches) {
       Fill(x, y, x + scale_ * kBarWidth, y + scale_ * kGlyphHeight,
@@ -80,7 +80,8 @@ class LegendPainter {
   static constexpr int kHeightShift = 120;
 
   [[nodiscard]] int SwatchHeight() const {
-    return kLine * static_cast<int>(legend_.swatches.size());
+    const auto count = static_cast<int>(legend_.swatches.size());
+    return count == 0 ? 0 : kLine * count + kGap;
   }
 
   [[nodiscard]] int NeededHeight() const {

@@ -186,44 +186,152 @@ double LargestComponent(const Vector3& v) {
   return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
 }
 
-/// The parameter's numbers in about 106 bits; not known if these do not give
-/// it to more than 60.
+using NearVector = Vec3<DoubleDouble>;
+
+/// to - from, exactly.
+NearVector NearDisplacement(const Point3& from, const Point3& to) {
+  return {TwoSum(to.x, -from.x), TwoSum(to.y, -from.y), TwoSum(to.z, -from.z)};
+}
+
+double LargestComponent(const NearVector& v) {
+  return std::max(
+      {std::fabs(v.x.high), std::fabs(v.y.high), std::fabs(v.z.high)});
+}
+
+/// A triangle's normal in about 106 bits of its terms.
+struct NearNormal {
+  explicit NearNormal(const Corners& corners) {
+    const auto& [a, b, c] = corners.at;
+    const NearVector u = NearDisplacement(a, b);
+    const NearVector v = NearDisplacement(a, c);
+    normal = {SumOfProducts(u.y, v.z, -u.z, v.y),
+              SumOfProducts(u.z, v.x, -u.x, v.z),
+              SumOfProducts(u.x, v.y, -u.y, v.x)};
+    terms = LargestComponent(u) * LargestComponent(v);
+  }
+
+  /// N . w. Each component of the normal is within 26 u^2 of `terms`, the sum
+  /// adds less than 60 u^2: in all less than 2^-97 of terms times |w|.
+  [[nodiscard]] DoubleDouble Along(const NearVector& w) const {
+    return SumOfProducts(normal.x, w.x, normal.y, w.y, normal.z, w.z);
+  }
+
+  NearVector normal;
+  double terms;
+};
+
+/// Where no number of twice the precision has under- or overflowed.
+bool IsInRange(double x) {
+  return x > 0x1p-800 && x < 0x1p800;
+}
+
+/// The parameter within 2^-79 of itself, mostly far nearer; not known if twice
+/// the precision of binary64 does not give it.
 std::optional<DoubleDouble> NearParameter(const Ray& ray,
-                                          const Corners& corners) {
-  using Vec = Vec3<DoubleDouble>;
-  const auto displacement = [](const Point3& from, const Point3& to) {
-    return Vec{TwoSum(to.x, -from.x), TwoSum(to.y, -from.y),
-               TwoSum(to.z, -from.z)};
-  };
-  const auto largest = [](const Vec& v) {
-    return std::max(
-        {std::fabs(v.x.high), std::fabs(v.y.high), std::fabs(v.z.high)});
-  };
-  const auto& [a, b, c] = corners.at;
-  const Vec u = displacement(a, b);
-  const Vec v = displacement(a, c);
-  const Vec w = displacement(ray.origin, a);
-  const Vec normal{SumOfProducts(u.y, v.z, -u.z, v.y),
-                   SumOfProducts(u.z, v.x, -u.x, v.z),
-                   SumOfProducts(u.x, v.y, -u.y, v.x)};
-  const DoubleDouble height =
-      SumOfProducts(normal.x, w.x, normal.y, w.y, normal.z, w.z);
-  const DoubleDouble speed = normal.x * ray.direction.x +
-                             normal.y * ray.direction.y +
-                             normal.z * ray.direction.z;
-  // Each component of the normal is within 26 u^2 |u||v|, the rest adds less
-  // than 20 u^2 of the terms: in all below 2^-98 of them.
-  const double terms = largest(u) * largest(v);
-  const double height_terms = terms * largest(w);
-  const double speed_terms = terms * LargestComponent(ray.direction);
-  constexpr double kKnown = 0x1p-37;
-  const auto in_range = [](double x) { return x > 0x1p-800 && x < 0x1p800; };
-  if (!in_range(terms) || !in_range(height_terms) || !in_range(speed_terms) ||
+                                          const Corners& corners,
+                                          const NearNormal& normal) {
+  const NearVector w = NearDisplacement(ray.origin, corners.at[0]);
+  const Vector3& d = ray.direction;
+  const NearVector direction{{d.x, 0}, {d.y, 0}, {d.z, 0}};
+  const DoubleDouble height = normal.Along(w);
+  const DoubleDouble speed = normal.Along(direction);
+  const double height_terms = normal.terms * LargestComponent(w);
+  const double speed_terms = normal.terms * LargestComponent(direction);
+  constexpr double kKnown = 0x1p-17;
+  if (!IsInRange(normal.terms) || !IsInRange(height_terms) ||
+      !IsInRange(speed_terms) ||
       !(std::fabs(height.high) > kKnown * height_terms) ||
       !(std::fabs(speed.high) > kKnown * speed_terms)) {
     return std::nullopt;
   }
   return height / speed;
+}
+
+/// o + t d with a t of about 106 bits; not known if too much of it cancels.
+std::optional<double> NearCoordinate(double o, const DoubleDouble& t,
+                                     double d) {
+  const DoubleDouble way = t * d;
+  const double sum = (way + o).high;
+  // The way is within 2^-78 of itself, so the sum is, before it is rounded,
+  // within 2^-58 of itself: a thirtieth of an ulp.
+  constexpr double kKnown = 0x1p-20;
+  if (!(std::fabs(sum) >= kKnown * std::fabs(way.high))) return std::nullopt;
+  return sum;
+}
+
+Point3 RoundedPointOn(const Ray& ray, const Corners& corners,
+                      const NearNormal& normal) {
+  const Point3& o = ray.origin;
+  const Vector3& d = ray.direction;
+  const auto& [a, b, c] = corners.at;
+  Point3 point;
+  const auto t = NearParameter(ray, corners, normal);
+  const auto x = t ? NearCoordinate(o.x, *t, d.x) : std::nullopt;
+  const auto y = t ? NearCoordinate(o.y, *t, d.y) : std::nullopt;
+  const auto z = t ? NearCoordinate(o.z, *t, d.z) : std::nullopt;
+  // A plane across an axis says what the coordinate is.
+  const bool across_x = a.x == b.x && a.x == c.x;
+  const bool across_y = a.y == b.y && a.y == c.y;
+  const bool across_z = a.z == b.z && a.z == c.z;
+  if ((x || across_x) && (y || across_y) && (z || across_z)) {
+    point = {x.value_or(0), y.value_or(0), z.value_or(0)};
+  } else {
+    const ExactParameter exact(ray, corners);
+    const mpq_class s = RationalOf(exact.height) / RationalOf(exact.speed);
+    point = {NearestTo(mpq_class(o.x) + s * mpq_class(d.x)),
+             NearestTo(mpq_class(o.y) + s * mpq_class(d.y)),
+             NearestTo(mpq_class(o.z) + s * mpq_class(d.z))};
+  }
+  if (across_x) point.x = a.x;
+  if (across_y) point.y = a.y;
+  if (across_z) point.z = a.z;
+  return point;
+}
+
+/// Moves a point that is behind a plane by rounding to the side that is seen,
+/// along the axis on which a unit in the last place leads farthest.
+void LiftFrom(const Corners& corners, const NearNormal& near, bool from_front,
+              Point3& point) {
+  const auto& [a, b, c] = corners.at;
+  const bool is_across_axis = (a.x == b.x && a.x == c.x) ||
+                              (a.y == b.y && a.y == c.y) ||
+                              (a.z == b.z && a.z == c.z);
+  if (is_across_axis) return;  // the point is on the plane exactly
+  const NearVector w = NearDisplacement(a, point);
+  const double height = near.Along(w).high;
+  const double height_terms = near.terms * LargestComponent(w);
+  constexpr double kKnown = 0x1p-90;
+  if (IsInRange(near.terms) && IsInRange(height_terms) &&
+      std::fabs(height) > kKnown * height_terms && (height > 0) == from_front) {
+    return;
+  }
+  const Vec3<Exact> normal =
+      Cross(Displacement<Exact>(a, b), Displacement<Exact>(a, c));
+  const Sign behind = from_front ? Sign::kNegative : Sign::kPositive;
+  const auto is_behind = [&] {
+    return SignOf(HeightOver(normal, a, point)) == behind;
+  };
+  if (!is_behind()) return;
+  const std::array<double*, 3> coordinates{&point.x, &point.y, &point.z};
+  std::size_t axis = 0;
+  double farthest = -1;
+  double towards = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Sign side = SignOf(Component(normal, static_cast<int>(k)));
+    if (side == Sign::kZero) continue;
+    const double up = side == behind ? -HUGE_VAL : HUGE_VAL;
+    const double step =
+        std::fabs(std::nextafter(*coordinates[k], up) - *coordinates[k]) *
+        std::fabs(CGAL::to_double(Component(normal, static_cast<int>(k))));
+    if (step > farthest) {
+      farthest = step;
+      axis = k;
+      towards = up;
+    }
+  }
+  // Rounding moved it by at most half a unit along each axis.
+  for (int i = 0; i < 4 && is_behind(); ++i)
+    *coordinates[axis] = std::nextafter(*coordinates[axis], towards);
 }
 
 }  // namespace
@@ -254,19 +362,12 @@ std::optional<FirstHit> FirstHitFinder::Find(const Ray& ray,
   return search.result();
 }
 
-Point3 FirstHitFinder::PointOn(const Ray& ray, int triangle) const {
-  const Corners corners(scene_, triangle);
-  const Point3& o = ray.origin;
-  const Vector3& d = ray.direction;
-  if (const auto t = NearParameter(ray, corners)) {
-    return {(*t * d.x + o.x).high, (*t * d.y + o.y).high,
-            (*t * d.z + o.z).high};
-  }
-  const ExactParameter exact(ray, corners);
-  const mpq_class t = RationalOf(exact.height) / RationalOf(exact.speed);
-  return {NearestTo(mpq_class(o.x) + t * mpq_class(d.x)),
-          NearestTo(mpq_class(o.y) + t * mpq_class(d.y)),
-          NearestTo(mpq_class(o.z) + t * mpq_class(d.z))};
+Point3 FirstHitFinder::PointOn(const Ray& ray, const FirstHit& hit) const {
+  const Corners corners(scene_, hit.triangle);
+  const NearNormal normal(corners);
+  Point3 point = RoundedPointOn(ray, corners, normal);
+  LiftFrom(corners, normal, hit.from_front, point);
+  return point;
 }
 
 }  // namespace truelux

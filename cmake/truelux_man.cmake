@@ -6,6 +6,7 @@ mark_as_advanced(HELP2MAN)
 set(_truelux_pages
   "|exact irradiance from polygons that others partly hide"
   "bench|compare methods on a scene, speed against error"
+  "compare|hold another program's values against the truth"
   "eval|irradiance at receivers in a scene"
   "inspect|all that one receiver sees, as a picture and as numbers"
   "render|pictures of a scene, one irradiance a pixel"

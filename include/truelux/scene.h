@@ -60,6 +60,7 @@ class Scene {
 
  private:
   friend class SceneBuilder;
+  friend class SceneVariants;
   struct Data;
   std::shared_ptr<const Data> data_;
 };

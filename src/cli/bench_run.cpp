@@ -15,6 +15,7 @@
 #include "baselines/timing.h"
 #include "cli/announce.h"
 #include "cli/interrupt.h"
+#include "report/evenly_picked.h"
 #include "report/quantile.h"
 #include "report/receiver_reason.h"
 #include "report/worst_receivers.h"
@@ -191,18 +192,6 @@ std::string ProcessorName() {
 }
 
 }  // namespace
-
-std::vector<std::size_t> EvenlyPicked(std::size_t total, std::size_t count) {
-  std::vector<std::size_t> picked(std::min(total, count));
-  const double step =
-      static_cast<double>(total) / static_cast<double>(picked.size());
-  for (std::size_t i = 0; i < picked.size(); ++i) {
-    // The middle of the i-th of equal shares.
-    const double middle = (static_cast<double>(i) + 0.5) * step;
-    picked[i] = std::min(static_cast<std::size_t>(middle), total - 1);
-  }
-  return picked;
-}
 
 Comparison RunMethods(const Scene& scene, std::vector<Receiver> receivers,
                       const MethodList& list, const BenchLimits& limits) {

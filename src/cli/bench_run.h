@@ -3,7 +3,6 @@
 #ifndef TRUELUX_CLI_BENCH_RUN_H_
 #define TRUELUX_CLI_BENCH_RUN_H_
 
-#include <cstddef>
 #include <vector>
 
 #include "truelux/receiver.h"
@@ -28,10 +27,6 @@ struct BenchLimits {
 /// Interruption. The name of the scene is left empty.
 Comparison RunMethods(const Scene& scene, std::vector<Receiver> receivers,
                       const MethodList& list, const BenchLimits& limits);
-
-/// `count` indices below `total`, evenly spread, in their order; all if there
-/// are no more.
-std::vector<std::size_t> EvenlyPicked(std::size_t total, std::size_t count);
 
 }  // namespace truelux
 

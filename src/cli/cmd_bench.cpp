@@ -20,6 +20,7 @@
 #include "cli/output_file.h"
 #include "cli/output_paths.h"
 #include "report/comparison_csv.h"
+#include "report/evenly_picked.h"
 #include "report/html_report.h"
 
 namespace truelux {

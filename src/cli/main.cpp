@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "cli/cmd_bench.h"
+#include "cli/cmd_compare.h"
 #include "cli/cmd_eval.h"
 #include "cli/cmd_inspect.h"
 #include "cli/cmd_render.h"
@@ -71,6 +72,8 @@ ExitStatus Run(int argc, char** argv) {
   AddEvalCommand(app, eval);
   BenchArguments bench;
   AddBenchCommand(app, bench);
+  CompareArguments compare;
+  AddCompareCommand(app, compare);
   InspectArguments inspect;
   AddInspectCommand(app, inspect);
   RenderArguments render;
@@ -82,6 +85,7 @@ ExitStatus Run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (app.got_subcommand("bench")) return RunBench(bench);
+    if (app.got_subcommand("compare")) return RunCompare(compare);
     if (app.got_subcommand("inspect")) return RunInspect(inspect);
     if (app.got_subcommand("render")) return RunRender(render);
     if (app.got_subcommand("stability")) return RunStability(stability);

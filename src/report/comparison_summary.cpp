@@ -26,16 +26,6 @@ double RelativeTo(double truth, double distance) {
   return std::isinf(distance) ? kInfinity : distance / truth;
 }
 
-/// Root of the mean square, also where the squares leave binary64.
-double RootMeanSquare(std::span<const double> errors) {
-  const double largest = *std::ranges::max_element(errors);
-  if (largest == 0 || std::isinf(largest)) return largest;
-  double sum = 0;
-  for (const double error : errors)
-    sum += (error / largest) * (error / largest);
-  return largest * std::sqrt(sum / static_cast<double>(errors.size()));
-}
-
 void Count(const ReceiverError& error, ErrorHistogram& histogram) {
   if (error.exact) {
     ++histogram.exact;

@@ -20,4 +20,13 @@ double Quantile(std::vector<double> values, double share) {
   return values[std::min(index, values.size() - 1)];
 }
 
+double RootMeanSquare(std::span<const double> values) {
+  const double largest = *std::ranges::max_element(values);
+  if (largest == 0 || std::isinf(largest)) return largest;
+  double sum = 0;
+  for (const double value : values)
+    sum += (value / largest) * (value / largest);
+  return largest * std::sqrt(sum / static_cast<double>(values.size()));
+}
+
 }  // namespace truelux

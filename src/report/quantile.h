@@ -1,8 +1,9 @@
-// The middle and the upper end of a set of numbers.
+// The middle, the upper end and the mean size of a set of numbers.
 
 #ifndef TRUELUX_REPORT_QUANTILE_H_
 #define TRUELUX_REPORT_QUANTILE_H_
 
+#include <span>
 #include <vector>
 
 namespace truelux {
@@ -14,6 +15,10 @@ namespace truelux {
 /// The least value that a share of `share` of the values does not exceed.
 /// values: not empty, none not a number; 0 < share <= 1.
 [[nodiscard]] double Quantile(std::vector<double> values, double share);
+
+/// The root of the mean square, also where the squares leave binary64.
+/// values: not empty, none negative or not a number.
+[[nodiscard]] double RootMeanSquare(std::span<const double> values);
 
 }  // namespace truelux
 

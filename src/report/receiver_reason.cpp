@@ -83,7 +83,10 @@ class Reader {
   }
 
   ReceiverTraits Read() {
-    if (contour_.arcs.empty()) return traits_;
+    if (contour_.arcs.empty()) {
+      if (contour_.statistics.sources > 0) traits_.lighting = Lighting::kUmbra;
+      return traits_;
+    }
     traits_.lighting = Lighting::kFullyLit;
     traits_.arcs = static_cast<int>(contour_.arcs.size());
     traits_.shortest_arc = 2 * std::numbers::pi;
@@ -144,23 +147,9 @@ class Reader {
       }
       const double height = Height(i);
       traits_.highest = std::max(traits_.highest, height);
-      if (IsOnHorizon(vertex)) continue;
+      if (IsOnHorizon(scene_, receiver_, vertex)) continue;
       traits_.lowest = std::min(traits_.lowest.value_or(height), height);
     }
-  }
-
-  /// Exactly, so that what is only near the horizon is told apart.
-  [[nodiscard]] bool IsOnHorizon(const ContourVertex& vertex) const {
-    if (vertex.vertex < 0) return vertex.kind == VertexKind::kHorizon;
-    const Point3& v =
-        scene_.vertices()[static_cast<std::size_t>(vertex.vertex)];
-    const Point3& r = receiver_.position;
-    const Vector3& n = receiver_.normal;
-    const Vec3<Exact> normal{Exact(n.x), Exact(n.y), Exact(n.z)};
-    const Vec3<Exact> direction =
-        Vec3<Exact>{Exact(v.x), Exact(v.y), Exact(v.z)} -
-        Vec3<Exact>{Exact(r.x), Exact(r.y), Exact(r.z)};
-    return SignOf(Dot(normal, direction)) == Sign::kZero;
   }
 
   /// Above the horizon; of scene vertices from their coordinates, which are
@@ -208,9 +197,8 @@ class Reader {
 };
 
 std::string SeenText(const ReceiverTraits& traits) {
-  if (traits.lighting == Lighting::kUnlit) return "unlit";
-  std::string text =
-      traits.lighting == Lighting::kFullyLit ? "fully lit" : "penumbra";
+  std::string text(Name(traits.lighting));
+  if (!IsLit(traits)) return text;
   if (traits.sources > 1) text += fmt::format(", {} sources", traits.sources);
   text += fmt::format(", {} arc{}", traits.arcs, traits.arcs == 1 ? "" : "s");
   if (traits.horizon_arcs > 0)
@@ -224,7 +212,7 @@ std::vector<std::string> Difficulties(const ReceiverTraits& traits) {
                              : ScientificText(value, 0);
   };
   std::vector<std::string> texts;
-  if (traits.lighting == Lighting::kUnlit) return texts;
+  if (!IsLit(traits)) return texts;
   if (traits.conjunctions == 1) {
     texts.push_back(fmt::format("conjunction ({} planes)", traits.most_planes));
   } else if (traits.conjunctions > 1) {
@@ -259,6 +247,34 @@ std::vector<std::string> Difficulties(const ReceiverTraits& traits) {
 }
 
 }  // namespace
+
+std::string_view Name(Lighting lighting) {
+  switch (lighting) {
+    case Lighting::kUnlit:
+      break;
+    case Lighting::kUmbra:
+      return "umbra";
+    case Lighting::kFullyLit:
+      return "fully lit";
+    case Lighting::kPenumbra:
+      return "penumbra";
+  }
+  return "unlit";
+}
+
+// Exactly, so that what is only near the horizon is told apart.
+bool IsOnHorizon(const Scene& scene, const Receiver& receiver,
+                 const ContourVertex& vertex) {
+  if (vertex.vertex < 0) return vertex.kind == VertexKind::kHorizon;
+  const Point3& v = scene.vertices()[static_cast<std::size_t>(vertex.vertex)];
+  const Point3& r = receiver.position;
+  const Vector3& n = receiver.normal;
+  const Vec3<Exact> normal{Exact(n.x), Exact(n.y), Exact(n.z)};
+  const Vec3<Exact> direction =
+      Vec3<Exact>{Exact(v.x), Exact(v.y), Exact(v.z)} -
+      Vec3<Exact>{Exact(r.x), Exact(r.y), Exact(r.z)};
+  return SignOf(Dot(normal, direction)) == Sign::kZero;
+}
 
 ReceiverTraits TraitsOf(const Scene& scene, const Receiver& receiver,
                         const VisibleContour& contour) {

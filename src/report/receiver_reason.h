@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
@@ -12,9 +13,10 @@
 
 namespace truelux {
 
-/// What is visible of the sources, in three words.
+/// What is visible of the sources, in a word.
 enum class Lighting {
-  kUnlit,     ///< nothing
+  kUnlit,     ///< nothing: no source is in front and above the horizon
+  kUmbra,     ///< nothing: other faces hide every source that is
   kFullyLit,  ///< no shadow falls on what is seen: only the sources' own
               ///< outlines and the horizon bound it
   kPenumbra,  ///< an edge of something else bounds it somewhere
@@ -58,6 +60,15 @@ struct ReceiverTraits {
   int most_planes = 0;   ///< planes through the conjunctive vertex with most
 };
 
+/// "unlit", "umbra", "fully lit", "penumbra".
+[[nodiscard]] std::string_view Name(Lighting lighting);
+
+/// Whether anything is seen of a source.
+[[nodiscard]] inline bool IsLit(const ReceiverTraits& traits) {
+  return traits.lighting != Lighting::kUnlit &&
+         traits.lighting != Lighting::kUmbra;
+}
+
 /// From this on a trait counts as a difficulty:
 ///
 /// tiny source    what is seen of the main source spans less than a thousandth
@@ -80,6 +91,10 @@ inline constexpr double kCancellation = 100;
 ///                extent: two vertices that all but coincide.
 inline constexpr double kShortArc = 1e-6;
 /// conjunction    any vertex at which several vertices coincide exactly.
+
+/// Whether a vertex of the receiver's contour lies on its horizon. Exact.
+[[nodiscard]] bool IsOnHorizon(const Scene& scene, const Receiver& receiver,
+                               const ContourVertex& vertex);
 
 [[nodiscard]] ReceiverTraits TraitsOf(const Scene& scene,
                                       const Receiver& receiver,

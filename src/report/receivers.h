@@ -3,11 +3,7 @@
 #ifndef TRUELUX_REPORT_RECEIVERS_H_
 #define TRUELUX_REPORT_RECEIVERS_H_
 
-#include <array>
-#include <cstddef>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "truelux/diagnostics.h"
@@ -15,32 +11,9 @@
 
 #include "report/byte_source.h"
 #include "report/csv.h"
+#include "report/receiver_columns.h"
 
 namespace truelux {
-
-/// Names of the columns that a receivers table must have, in the order in
-/// which this program writes them.
-inline constexpr std::array<std::string_view, 6> kReceiverColumns = {
-    "x", "y", "z", "nx", "ny", "nz"};
-
-/// Name of the column for Receiver::on_face.
-inline constexpr std::string_view kOnFaceColumn = "on_face";
-
-/// Number of the face that a text names: 1 .. face_count, or 0 if it is empty.
-/// Nothing if it is no such number; `defect` then says why.
-std::optional<int> ParseOnFace(std::string_view text, int face_count,
-                               std::string& defect);
-
-/// A receiver from the texts of x, y, z, nx, ny, nz. For each text that is no
-/// number, or for a normal that is zero, `defects` gets an entry: which of the
-/// six texts it is about and what is wrong.
-struct FieldDefect {
-  std::size_t index = 0;
-  std::string message;
-};
-
-Receiver ParseReceiver(const std::array<std::string, 6>& texts,
-                       std::vector<FieldDefect>& defects);
 
 /// One row of a receivers table.
 struct ReceiverRow {
@@ -79,16 +52,10 @@ class ReceiverReader {
   }
 
  private:
-  bool FindColumns(std::vector<Diagnostic>& defects);
-  std::optional<Receiver> ParseRow(std::vector<Diagnostic>& defects);
-
   CsvReader csv_;
   CsvRecord record_;
-  int face_count_;
+  ReceiverColumns columns_;
   std::string header_;
-  std::size_t column_count_ = 0;
-  std::array<std::size_t, kReceiverColumns.size()> columns_{};
-  std::optional<std::size_t> on_face_column_;
 };
 
 }  // namespace truelux

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -14,6 +15,36 @@ std::size_t Index(int i) {
 
 DirectionRecipe VertexRecipe(int v) {
   return {.kind = DirectionRecipe::Kind::kVertex, .a = v};
+}
+
+double Length(const Vec3<double>& v) {
+  return std::hypot(v.x, v.y, v.z);
+}
+
+/// Of length 1; the largest component is taken out first, so that nothing
+/// leaves binary64. (0, 0, 0) stays.
+Vec3<double> UnitOf(const Vec3<Exact>& v) {
+  Vec3<double> d{CGAL::to_double(v.x), CGAL::to_double(v.y),
+                 CGAL::to_double(v.z)};
+  const double largest =
+      std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+  if (!(largest > 0)) return d;
+  d = {d.x / largest, d.y / largest, d.z / largest};
+  return 1 / Length(d) * d;
+}
+
+double AngleBetween(const Vec3<double>& a, const Vec3<double>& b) {
+  return std::atan2(Length(Cross(a, b)), Dot(a, b));
+}
+
+/// The angle from d to the arc between two directions less than pi apart, all
+/// of length 1; normal: of the arc's plane.
+double AngleToArc(const Vec3<double>& d, const Vec3<double>& from,
+                  const Vec3<double>& to, const Vec3<double>& normal) {
+  const bool beside =
+      Dot(Cross(normal, from), d) >= 0 && Dot(Cross(to, normal), d) >= 0;
+  if (beside) return std::asin(std::min(1.0, std::abs(Dot(normal, d))));
+  return std::min(AngleBetween(d, from), AngleBetween(d, to));
 }
 
 }  // namespace
@@ -41,6 +72,20 @@ Exact ViewEdges::AbovePlane(int vertex) const {
   return exact_.AboveTriangle(source_triangle_, vertex);
 }
 
+Sign ViewEdges::SideOfPlane(int vertex) const {
+  {
+    const RoundUpward rounding;
+    const auto sign =
+        TrySign(interval_.AboveTriangle(source_triangle_, vertex));
+    if (sign) return *sign;
+  }
+  return SignOf(AbovePlane(vertex));
+}
+
+int ViewEdges::FaceOf(int facet) const {
+  return query_.scene.facets()[Index(facet)].face + 1;
+}
+
 /// Of the source itself, or a triangle that blocks it somewhere (its plane
 /// not through r, some part strictly in front, or coplanar and earlier).
 bool ViewEdges::Relevant(int triangle) const {
@@ -49,7 +94,7 @@ bool ViewEdges::Relevant(int triangle) const {
   bool any_front = false;
   bool all_on = true;
   for (const int v : t.vertices) {
-    const Sign side = SignOf(AbovePlane(v));
+    const Sign side = SideOfPlane(v);
     any_front = any_front || side == Sign::kPositive;
     all_on = all_on && side == Sign::kZero;
   }
@@ -89,8 +134,11 @@ void ViewEdges::AddSceneEdges(const std::vector<int>& relevant) {
       });
     };
     if (std::ranges::all_of(sides, inner)) continue;
+    int face = FaceOf(sides.front().facet);
+    for (const Neighbour& neighbour : sides)
+      face = std::min(face, FaceOf(neighbour.facet));
     AddEdge(VertexRecipe(key.first), VertexRecipe(key.second), key.first,
-            key.second);
+            key.second, {face, key.first, key.second, 0});
   }
 }
 
@@ -100,7 +148,7 @@ void ViewEdges::AddCut(int triangle) {
   if (t.facet == facet_) return;
   std::array<Sign, 3> side{};
   for (std::size_t k = 0; k < 3; ++k) {
-    side[k] = SignOf(AbovePlane(t.vertices[k]));
+    side[k] = SideOfPlane(t.vertices[k]);
   }
   std::vector<std::pair<DirectionRecipe, int>> ends;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -122,15 +170,18 @@ void ViewEdges::AddCut(int triangle) {
                        std::ranges::count(side, Sign::kNegative) > 0 &&
                        ends.size() == 2;
   if (!crosses) return;
-  AddEdge(ends[0].first, ends[1].first, ends[0].second, ends[1].second);
+  AddEdge(ends[0].first, ends[1].first, ends[0].second, ends[1].second,
+          {FaceOf(t.facet), -1, -1, FaceOf(facet_)});
 }
 
 void ViewEdges::AddEdge(const DirectionRecipe& from, const DirectionRecipe& to,
-                        int a, int b) {
+                        int a, int b, const SeenEdge& seen) {
+  const Vec3<double> from_unit = UnitOf(exact_.Direction(from, {}, {}));
+  const Vec3<double> to_unit = UnitOf(exact_.Direction(to, {}, {}));
   const RoundUpward rounding;
   edges_.push_back({Cross(interval_.Direction(from, {}, {}),
                           interval_.Direction(to, {}, {})),
-                    from, to, a, b});
+                    from, to, a, b, seen, from_unit, to_unit});
 }
 
 /// Whether the point weight_a a + weight_b b of a scene edge is in front of
@@ -145,6 +196,25 @@ bool ViewEdges::InFront(const Edge& edge, const Exact& weight_a,
                 weight_b * AbovePlane(edge.b)) != Sign::kNegative;
 }
 
+std::optional<ViewEdges::Hit> ViewEdges::HitOf(const Edge& edge,
+                                               const Vec3<Exact>& d) const {
+  const Vec3<Exact> u = exact_.Direction(edge.from, {}, {});
+  const Vec3<Exact> v = exact_.Direction(edge.to, {}, {});
+  const Vec3<Exact> plane = Cross(u, v);
+  if (SignOf(Dot(plane, d)) != Sign::kZero) return std::nullopt;
+  // d is a positive multiple of weight_u u + weight_v v.
+  const Exact weight_u = Dot(Cross(d, v), plane);
+  const Exact weight_v = Dot(Cross(u, d), plane);
+  const Sign at_u = SignOf(weight_u);
+  const Sign at_v = SignOf(weight_v);
+  if (at_u == Sign::kNegative || at_v == Sign::kNegative) return std::nullopt;
+  if (!InFront(edge, weight_u, weight_v)) return std::nullopt;
+  const int vertex = at_v == Sign::kZero   ? edge.a
+                     : at_u == Sign::kZero ? edge.b
+                                           : -1;
+  return Hit{plane, vertex, edge.seen};
+}
+
 std::vector<ViewEdges::Hit> ViewEdges::Through(const Vec3<Exact>& d) const {
   std::vector<Hit> hits;
   const Vec3<Interval> rough{FromExact<Interval>::Of(d.x),
@@ -156,23 +226,40 @@ std::vector<ViewEdges::Hit> ViewEdges::Through(const Vec3<Exact>& d) const {
       const auto sign = TrySign(Dot(edge.plane, rough));
       if (sign && *sign != Sign::kZero) continue;
     }
-    const Vec3<Exact> u = exact_.Direction(edge.from, {}, {});
-    const Vec3<Exact> v = exact_.Direction(edge.to, {}, {});
-    const Vec3<Exact> plane = Cross(u, v);
-    if (SignOf(Dot(plane, d)) != Sign::kZero) continue;
-    // d is a positive multiple of weight_u u + weight_v v.
-    const Exact weight_u = Dot(Cross(d, v), plane);
-    const Exact weight_v = Dot(Cross(u, d), plane);
-    const Sign at_u = SignOf(weight_u);
-    const Sign at_v = SignOf(weight_v);
-    if (at_u == Sign::kNegative || at_v == Sign::kNegative) continue;
-    if (!InFront(edge, weight_u, weight_v)) continue;
-    const int vertex = at_v == Sign::kZero   ? edge.a
-                       : at_u == Sign::kZero ? edge.b
-                                             : -1;
-    hits.push_back({plane, vertex});
+    if (auto hit = HitOf(edge, d)) hits.push_back(std::move(*hit));
   }
   return hits;
+}
+
+std::optional<ViewEdges::Miss> ViewEdges::Nearest(const Vec3<Exact>& d) const {
+  // What looks nearer than this is measured again from exact numbers.
+  constexpr double kClose = 1e-6;
+  const Vec3<double> unit = UnitOf(d);
+  std::optional<Miss> nearest;
+  for (const Edge& edge : edges_) {
+    const Vec3<double> cross = Cross(edge.from_unit, edge.to_unit);
+    const double length = Length(cross);
+    const Vec3<double> normal = length > 0 ? 1 / length * cross : cross;
+    double angle = AngleToArc(unit, edge.from_unit, edge.to_unit, normal);
+    if (nearest && angle > nearest->angle + kClose) continue;
+    if (angle < kClose) {
+      if (HitOf(edge, d)) continue;
+      const Vec3<Exact> plane = Cross(exact_.Direction(edge.from, {}, {}),
+                                      exact_.Direction(edge.to, {}, {}));
+      const Exact height = Dot(plane, d);
+      const double size = std::sqrt(CGAL::to_double(Dot(plane, plane)) *
+                                    CGAL::to_double(Dot(d, d)));
+      const double sine = std::abs(CGAL::to_double(height)) / size;
+      const double to_ends = std::min(AngleBetween(unit, edge.from_unit),
+                                      AngleBetween(unit, edge.to_unit));
+      // Beside the edge its plane is near; beyond its ends they are.
+      const bool beside = to_ends > kClose || angle < to_ends;
+      angle = beside && sine > 0 ? sine : to_ends;
+      if (!(angle > 0) || !std::isfinite(angle)) continue;
+    }
+    if (!nearest || angle < nearest->angle) nearest = Miss{edge.seen, angle};
+  }
+  return nearest;
 }
 
 }  // namespace truelux

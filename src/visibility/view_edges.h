@@ -9,6 +9,7 @@
 
 #include "exact/recipe.h"
 #include "visibility/contour.h"
+#include "visibility/seen_edge.h"
 
 namespace truelux {
 
@@ -26,11 +27,23 @@ class ViewEdges {
   struct Hit {
     Vec3<Exact> plane;  ///< normal of the edge's plane through r
     int vertex = -1;    ///< the scene vertex where it ends there, or -1
+    SeenEdge edge;
   };
 
   /// All edges whose closed extent holds the direction d, where they are in
   /// front of the source's plane or on it. Exact.
   [[nodiscard]] std::vector<Hit> Through(const Vec3<Exact>& d) const;
+
+  /// An edge that passes a direction by, and the angle in between [rad], > 0.
+  struct Miss {
+    SeenEdge edge;
+    double angle = 0;
+  };
+
+  /// Of the edges of Through that do not pass through the direction d, the one
+  /// nearest to it; nothing if there is none. That an edge misses is exact,
+  /// the angle is good to a few digits.
+  [[nodiscard]] std::optional<Miss> Nearest(const Vec3<Exact>& d) const;
 
  private:
   /// From direction `from` to direction `to`; a and b are its scene vertices,
@@ -41,14 +54,21 @@ class ViewEdges {
     DirectionRecipe to;
     int a = -1;
     int b = -1;
+    SeenEdge seen;
+    Vec3<double> from_unit;  ///< of length 1, rounded
+    Vec3<double> to_unit;
   };
 
   [[nodiscard]] Exact AbovePlane(int vertex) const;
+  [[nodiscard]] Sign SideOfPlane(int vertex) const;
   [[nodiscard]] bool Relevant(int triangle) const;
   void AddSceneEdges(const std::vector<int>& relevant);
   void AddCut(int triangle);
   void AddEdge(const DirectionRecipe& from, const DirectionRecipe& to, int a,
-               int b);
+               int b, const SeenEdge& seen);
+  [[nodiscard]] std::optional<Hit> HitOf(const Edge& edge,
+                                         const Vec3<Exact>& d) const;
+  [[nodiscard]] int FaceOf(int facet) const;
   [[nodiscard]] bool InFront(const Edge& edge, const Exact& weight_a,
                              const Exact& weight_b) const;
 

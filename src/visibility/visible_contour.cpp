@@ -1,5 +1,6 @@
 #include "visibility/visible_contour.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -19,6 +20,15 @@ class Describer {
         contour_(contour),
         view_(ViewOf(query)),
         evaluator_(view_) {}
+
+  /// The same with VertexEdges, one per vertex.
+  ContourInDetail DescribeInDetail() {
+    in_detail_ = true;
+    ContourInDetail result;
+    result.contour = Describe();
+    result.edges = std::move(edges_);
+    return result;
+  }
 
   VisibleContour Describe() {
     for (const SourceArcs& source : contour_.sources)
@@ -67,11 +77,14 @@ class Describer {
   void DropUnusedVertices() {
     std::vector<int> new_index(result_.vertices.size(), -1);
     std::vector<ContourVertex> used;
+    std::vector<VertexEdges> used_edges;
     const auto renumber = [&](int& vertex) {
       int& index = new_index[static_cast<std::size_t>(vertex)];
       if (index < 0) {
         index = static_cast<int>(used.size());
         used.push_back(result_.vertices[static_cast<std::size_t>(vertex)]);
+        used_edges.push_back(
+            std::move(edges_[static_cast<std::size_t>(vertex)]));
       }
       vertex = index;
     };
@@ -80,6 +93,7 @@ class Describer {
       renumber(arc.to);
     }
     result_.vertices = std::move(used);
+    edges_ = std::move(used_edges);
   }
 
   /// The public vertex of a direction. A vertex that bounds several sources
@@ -95,11 +109,12 @@ class Describer {
       result_.vertices.emplace_back();
       coincidences_.emplace_back();
       described_for_.push_back(-1);
+      edges_.emplace_back();
     }
     if (described_for_[index] == edges.facet()) return entry->second;
     described_for_[index] = edges.facet();
     Coincidence& c = coincidences_[index];
-    Collect(edges, d, c);
+    Collect(edges, d, c, edges_[index]);
     const bool on_horizon =
         SignOf(Dot(evaluator_.ReceiverNormal(), d)) == Sign::kZero;
     ContourVertex& vertex = result_.vertices[index];
@@ -108,11 +123,22 @@ class Describer {
     return entry->second;
   }
 
-  void Collect(const ViewEdges& edges, const Vec3<Exact>& d, Coincidence& c) {
+  void Collect(const ViewEdges& edges, const Vec3<Exact>& d, Coincidence& c,
+               VertexEdges& of_vertex) {
     const Vec3<Exact> normal = evaluator_.ReceiverNormal();
     for (const ViewEdges::Hit& hit : edges.Through(d)) {
       c.Add(hit.plane, hit.vertex, normal);
+      if (in_detail_) of_vertex.through.push_back(hit.edge);
     }
+    if (!in_detail_) return;
+    std::ranges::sort(of_vertex.through);
+    const auto repeated = std::ranges::unique(of_vertex.through);
+    of_vertex.through.erase(repeated.begin(), repeated.end());
+    const auto miss = edges.Nearest(d);
+    if (!miss) return;
+    if (of_vertex.nearest && of_vertex.nearest_angle <= miss->angle) return;
+    of_vertex.nearest = miss->edge;
+    of_vertex.nearest_angle = miss->angle;
   }
 
   const ContourQuery& query_;
@@ -124,6 +150,8 @@ class Describer {
   std::map<PrimitiveVector, int> index_;
   std::vector<Coincidence> coincidences_;  ///< per vertex of the result
   std::vector<int> described_for_;         ///< per vertex: last facet
+  std::vector<VertexEdges> edges_;         ///< per vertex; empty if not asked
+  bool in_detail_ = false;
 };
 
 }  // namespace
@@ -131,6 +159,11 @@ class Describer {
 VisibleContour DescribeContour(const ContourQuery& query,
                                const Contour& contour) {
   return Describer(query, contour).Describe();
+}
+
+ContourInDetail DescribeInDetail(const ContourQuery& query,
+                                 const Contour& contour) {
+  return Describer(query, contour).DescribeInDetail();
 }
 
 }  // namespace truelux

@@ -4,9 +4,13 @@
 #ifndef TRUELUX_VISIBILITY_VISIBLE_CONTOUR_H_
 #define TRUELUX_VISIBILITY_VISIBLE_CONTOUR_H_
 
+#include <optional>
+#include <vector>
+
 #include "truelux/visibility.h"
 
 #include "visibility/contour.h"
+#include "visibility/seen_edge.h"
 
 namespace truelux {
 
@@ -17,6 +21,26 @@ namespace truelux {
 /// meant for looking, not for the inner loop.
 VisibleContour DescribeContour(const ContourQuery& query,
                                const Contour& contour);
+
+/// The edges at and near a vertex of a visible contour, of those that it is
+/// classified by.
+struct VertexEdges {
+  std::vector<SeenEdge> through;  ///< each once, in their order
+  /// The nearest one that does not pass through the vertex, and its angle from
+  /// there [rad], > 0; nothing if there is none.
+  std::optional<SeenEdge> nearest;
+  double nearest_angle = 0;
+};
+
+/// A visible contour and, per vertex, its edges.
+struct ContourInDetail {
+  VisibleContour contour;
+  std::vector<VertexEdges> edges;
+};
+
+/// DescribeContour with the edges that meet, or all but meet, in each vertex.
+ContourInDetail DescribeInDetail(const ContourQuery& query,
+                                 const Contour& contour);
 
 }  // namespace truelux
 

@@ -37,7 +37,16 @@ const TestFace kSquare{Ceiling(-1, 1, -1, 1, 1), kLamp};
 
 TEST(ReceiverReason, Unlit) {
   EXPECT_EQ(Reason({kSquare}, {{0, 0, 2}, {0, 0, 1}, 0}), "unlit");
-  EXPECT_EQ(Reason({kSquare, {Ceiling(-1, 1, -1, 1, 0.5), kBlack}}), "unlit");
+  // Behind the source's plane, and with all of it below the horizon.
+  EXPECT_EQ(Reason({kSquare}, {{0, 0, 0}, {0, 0, -1}, 0}), "unlit");
+}
+
+TEST(ReceiverReason, UmbraIfASourceIsThereButHidden) {
+  const TestFace roof{Ceiling(-1, 1, -1, 1, 0.5), kBlack};
+  EXPECT_EQ(Reason({kSquare, roof}), "umbra");
+  const Scene scene = MakeScene({kSquare, roof});
+  const Oracle twin(scene, {.engine = Engine::kArrangement});
+  EXPECT_EQ(ReasonOf(scene, kUp, twin.Contour(kUp)), "umbra");
 }
 
 TEST(ReceiverReason, FullyLitWithTheFactsOfASquare) {

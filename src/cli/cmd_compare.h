@@ -1,0 +1,40 @@
+// truelux compare: what another program says, held against the truth.
+
+#ifndef TRUELUX_CLI_CMD_COMPARE_H_
+#define TRUELUX_CLI_CMD_COMPARE_H_
+
+#include <optional>
+#include <string>
+
+#include "cli/exit_status.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
+class App;
+}
+
+namespace truelux {
+
+/// The words of the command line, before they are looked at.
+struct CompareArguments {
+  std::string scene;
+  std::optional<std::string> candidate;
+  std::optional<std::string> output;
+  std::optional<std::string> json;
+  std::string quantity;
+  std::optional<std::string> channel;
+  std::string tolerance;
+  std::string emission;
+  std::string threads;
+};
+
+/// Adds the command to `app`. Parsing fills `arguments`, which must stay in
+/// place until then.
+void AddCompareCommand(CLI::App& app, CompareArguments& arguments);
+
+/// Runs it: kComparisonFailed if a receiver fails. Throws UserError for bad
+/// input, and Interruption.
+ExitStatus RunCompare(const CompareArguments& arguments);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_CLI_CMD_COMPARE_H_

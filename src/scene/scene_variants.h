@@ -1,0 +1,66 @@
+// Scenes that differ from a given one in what some faces emit or block.
+
+#ifndef TRUELUX_SCENE_SCENE_VARIANTS_H_
+#define TRUELUX_SCENE_SCENE_VARIANTS_H_
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "truelux/geometry.h"
+#include "truelux/scene.h"
+
+namespace truelux {
+
+/// What a face is in a variant.
+struct FaceChange {
+  Rgb emission{};         ///< instead of Face::emission
+  bool reversed = false;  ///< front and back are exchanged
+  bool removed = false;   ///< it neither emits nor blocks
+};
+
+/// Makes variants. Faces keep their numbers, lines and groups, and a face that
+/// is not planar keeps its triangles, also if it is reversed; a face that is
+/// removed stays as one without facets. Vertices keep their indices.
+class SceneVariants {
+ public:
+  /// change(face index, change): is called for every face, in order, with what
+  /// leaves it as it is, and may alter that. Emission stays finite and >= 0.
+  [[nodiscard]] static Scene Changed(
+      const Scene& scene,
+      const std::function<void(std::size_t, FaceChange&)>& change);
+};
+
+/// Every face that emits in some channel has M = 1 in all channels.
+[[nodiscard]] Scene WithUnitExitance(const Scene& scene);
+
+/// Every face that emits does so from its other side.
+[[nodiscard]] Scene WithReversedEmitters(const Scene& scene);
+
+/// Some faces are not there. faces: indices into Scene::faces().
+[[nodiscard]] Scene WithoutFaces(const Scene& scene,
+                                 std::span<const int> faces);
+
+/// Some faces do not emit, but block as ever.
+[[nodiscard]] Scene WithBlackFaces(const Scene& scene,
+                                   std::span<const int> faces);
+
+/// Only one face emits; all block as ever. face: index into Scene::faces().
+[[nodiscard]] Scene WithOneEmitter(const Scene& scene, int face);
+
+/// Nothing is there but one face. face: index into Scene::faces().
+[[nodiscard]] Scene WithOneFace(const Scene& scene, int face);
+
+/// Whether a face emits in some channel.
+[[nodiscard]] bool Emits(const Face& face);
+
+/// The faces that emit, as indices into Scene::faces(), in their order.
+[[nodiscard]] std::vector<int> EmittersOf(const Scene& scene);
+
+/// Whether every face emits the same in red, green and blue.
+[[nodiscard]] bool IsGrey(const Scene& scene);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_SCENE_SCENE_VARIANTS_H_

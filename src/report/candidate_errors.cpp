@@ -98,8 +98,10 @@ std::vector<CandidateError> ErrorsOf(const CandidateData& data,
 }
 
 std::uint64_t UlpsBetween(double a, double b) {
-  const auto [low, high] = std::minmax(Rank(a), Rank(b));
-  return static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
+  const std::int64_t rank_a = Rank(a);
+  const std::int64_t rank_b = Rank(b);
+  return static_cast<std::uint64_t>(std::max(rank_a, rank_b)) -
+         static_cast<std::uint64_t>(std::min(rank_a, rank_b));
 }
 
 void UlpHistogram::Add(std::uint64_t ulps) {

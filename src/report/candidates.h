@@ -32,7 +32,7 @@ enum class Quantity {
 struct CandidateRules {
   Quantity quantity = Quantity::kIrradiance;
   /// The only channel that is compared, if one is named.
-  std::optional<std::size_t> channel;
+  std::optional<std::size_t> channel{};
   /// All faces of the scene emit the same in red, green and blue, so that a
   /// column E needs no channel.
   bool is_grey = false;

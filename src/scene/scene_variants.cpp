@@ -106,12 +106,6 @@ Scene WithOneEmitter(const Scene& scene, int face) {
   });
 }
 
-Scene WithOneFace(const Scene& scene, int face) {
-  return SceneVariants::Changed(scene, [&](std::size_t i, FaceChange& change) {
-    change.removed = i != Index(face);
-  });
-}
-
 bool Emits(const Face& face) {
   return std::ranges::any_of(face.emission, [](double m) { return m > 0; });
 }

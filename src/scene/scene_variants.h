@@ -49,9 +49,6 @@ class SceneVariants {
 /// Only one face emits; all block as ever. face: index into Scene::faces().
 [[nodiscard]] Scene WithOneEmitter(const Scene& scene, int face);
 
-/// Nothing is there but one face. face: index into Scene::faces().
-[[nodiscard]] Scene WithOneFace(const Scene& scene, int face);
-
 /// Whether a face emits in some channel.
 [[nodiscard]] bool Emits(const Face& face);
 

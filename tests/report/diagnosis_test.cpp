@@ -13,95 +13,18 @@
 
 #include <gtest/gtest.h>
 
-#include "truelux/io.h"
 #include "truelux/irradiance.h"
 
 #include "report/mistakes.h"
+#include "report/stages.h"
 #include "report/wrong_programs.h"
-#include "support/scenes.h"
 
 namespace truelux {
 namespace {
 
-using testing::Ceiling;
-using testing::LambertWithoutClipping;
-using testing::MonteCarlo;
-using testing::Program;
-using testing::Ring;
-using testing::Wrong;
+using namespace testing;  // NOLINT(google-build-using-namespace)
 
 constexpr double kPi = std::numbers::pi;
-
-struct Stage {
-  Scene scene;
-  std::vector<Receiver> receivers;
-};
-
-/// The Cornell box with its floor, 12 x 12 receivers.
-Stage CornellBox() {
-  Stage stage;
-  stage.scene =
-      *ReadScene(std::string(TRUELUX_EXAMPLES) + "/scenes/cornell_box.obj")
-           .value;
-  for (int i = 0; i < 12; ++i) {
-    for (int j = 0; j < 12; ++j) {
-      stage.receivers.push_back(
-          {{25.0 + 45 * i, 0, 25.0 + 46 * j}, {0, 1, 0}, 1});
-    }
-  }
-  return stage;
-}
-
-Ring Wall(double x, double half, double low, double high) {
-  return {{x, -half, low}, {x, -half, high}, {x, half, high}, {x, half, low}};
-}
-
-Ring Mirrored(const Ring& ring) {
-  Ring mirrored;
-  for (const Point3& p : ring)
-    mirrored.push_back({-p.x, -p.y, p.z});
-  return mirrored;
-}
-
-std::vector<Receiver> TiltedReceivers() {
-  std::vector<Receiver> receivers;
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  for (int i = 0; i < 150; ++i) {
-    receivers.push_back({{uniform(random), uniform(random), 0},
-                         {uniform(random), uniform(random), 0.6},
-                         0});
-  }
-  return receivers;
-}
-
-/// Lamps that reach below many a receiver's horizon; none hides another.
-Stage AcrossTheHorizon() {
-  SceneBuilder builder("stage");
-  builder.SetGroup("right");
-  builder.AddFace(Wall(2, 1, -1.5, 1.5), {4, 2, 1});
-  builder.SetGroup("left");
-  builder.AddFace(Mirrored(Wall(2, 1, -1, 0.5)), {1, 3, 2});
-  builder.SetGroup("lid");
-  builder.AddFace(Ceiling(-1, 1, -1, 1, 2.5), {2, 2, 2});
-  return {*builder.Build().value, TiltedReceivers()};
-}
-
-/// The same with a lamp whose back is seen, and with two blockers.
-Stage WithBacksAndBlockers() {
-  SceneBuilder builder("stage");
-  builder.SetGroup("right");
-  builder.AddFace(Wall(2, 1, -1.5, 1.5), {4, 2, 1});
-  builder.SetGroup("away");
-  builder.AddFace(testing::Reversed(Mirrored(Wall(2, 1.5, -1, 1))), {3, 3, 2});
-  builder.SetGroup("lid");
-  builder.AddFace(Ceiling(-1, 1, -1, 1, 2.5), {2, 2, 2});
-  builder.SetGroup("board");
-  builder.AddFace(Ceiling(-0.7, 0.2, -0.5, 0.9, 1.25));
-  builder.SetGroup("screen");
-  builder.AddFace(Wall(1.5, 0.5, 0.25, 0.75));
-  return {*builder.Build().value, TiltedReceivers()};
-}
 
 CandidateData Candidate(const Stage& stage, const OracleOptions& options) {
   CandidateData data;
@@ -319,12 +242,12 @@ TEST(Diagnosis, FindsAnyOtherFactorWithItsValue) {
 TEST(Diagnosis, NamesEmissionFromTheWrongSide) {
   const Stage stage = WithBacksAndBlockers();
   SceneBuilder builder;
-  for (const testing::PlainPolygon& p : testing::PolygonsOf(stage.scene)) {
+  for (const PlainPolygon& p : PolygonsOf(stage.scene)) {
     Ring ring;
-    for (const testing::Vec& v : p.ring)
+    for (const Vec& v : p.ring)
       ring.push_back({v.x, v.y, v.z});
     builder.SetGroup(p.group);
-    builder.AddFace(testing::Reversed(ring), p.emission);
+    builder.AddFace(Reversed(ring), p.emission);
   }
   const Scene reversed = *builder.Build().value;
   const Diagnosis d = OfProgram(stage, MonteCarlo(reversed, kSamples));
@@ -411,10 +334,10 @@ TEST(Diagnosis, SaysHowManyOfManyGroupsItTried) {
   const OracleOptions options;
   CandidateData data = Candidate(stage, options);
   SceneBuilder other;
-  for (const testing::PlainPolygon& p : testing::PolygonsOf(stage.scene)) {
+  for (const PlainPolygon& p : PolygonsOf(stage.scene)) {
     if (p.group == "tile33") continue;
     Ring ring;
-    for (const testing::Vec& v : p.ring)
+    for (const Vec& v : p.ring)
       ring.push_back({v.x, v.y, v.z});
     other.AddFace(ring, p.emission);
   }

@@ -4,7 +4,7 @@
 #
 #   tools/figure7.sh [TRUELUX [FOLDER [RUNS]]]
 #
-# TRUELUX is the program (build/release/truelux), FOLDER, which must exist, gets the certified
+# TRUELUX is the program (build/release/truelux), FOLDER gets the certified
 # pictures (a temporary folder). A time is that of the whole command, reading,
 # finding the first face along each ray and writing the PNG included: processor
 # time, the least of RUNS (3).
@@ -18,6 +18,7 @@ runs="${3:-3}"
 work="$(mktemp -d)"
 trap 'rm -rf -- "$work"' EXIT
 out="${2:-$work}"
+mkdir -p -- "$out"
 
 # What each picture shows, as in docs/gallery.md.
 view() {

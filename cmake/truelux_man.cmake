@@ -9,6 +9,7 @@ set(_truelux_pages
   "compare|hold another program's values against the truth"
   "eval|irradiance at receivers in a scene"
   "inspect|all that one receiver sees, as a picture and as numbers"
+  "render|pictures of a scene, one irradiance a pixel"
   "stability|accuracy of every formula on hard families")
 
 set(_truelux_pages_made "")

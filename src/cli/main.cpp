@@ -12,6 +12,7 @@
 #include "cli/cmd_compare.h"
 #include "cli/cmd_eval.h"
 #include "cli/cmd_inspect.h"
+#include "cli/cmd_render.h"
 #include "cli/cmd_stability.h"
 #include "cli/exit_status.h"
 #include "cli/help_format.h"
@@ -75,6 +76,8 @@ ExitStatus Run(int argc, char** argv) {
   AddCompareCommand(app, compare);
   InspectArguments inspect;
   AddInspectCommand(app, inspect);
+  RenderArguments render;
+  AddRenderCommand(app, render);
   StabilityArguments stability;
   AddStabilityCommand(app, stability);
   for (CLI::App* command : app.get_subcommands({}))
@@ -84,6 +87,7 @@ ExitStatus Run(int argc, char** argv) {
     if (app.got_subcommand("bench")) return RunBench(bench);
     if (app.got_subcommand("compare")) return RunCompare(compare);
     if (app.got_subcommand("inspect")) return RunInspect(inspect);
+    if (app.got_subcommand("render")) return RunRender(render);
     if (app.got_subcommand("stability")) return RunStability(stability);
     return RunEval(eval);
   } catch (const CLI::CallForHelp&) {

@@ -1,5 +1,5 @@
-// Finds the triangles of a scene that meet a shaft, without looking at most
-// of the others.
+// Finds the triangles of a scene that meet a shaft or a ray, without looking at
+// most of the others.
 
 #ifndef TRUELUX_SCENE_TRIANGLE_TREE_H_
 #define TRUELUX_SCENE_TRIANGLE_TREE_H_
@@ -57,8 +57,11 @@ class TriangleTree {
   /// Shaft::Keeps, in an order that depends on the tree alone. (A node left
   /// out holds none of them: its box contains theirs, and the test is
   /// monotone.) Requires RoundUpward, which is in force in visit() too.
-  template <class Function>
-  void Visit(const Shaft& shaft, Function&& visit) const;
+  ///
+  /// Region: Shaft, or RayBoxes. visit() may make a region smaller meanwhile;
+  /// triangles that only the larger one keeps may then be visited or not.
+  template <class Region, class Function>
+  void Visit(const Region& region, Function&& visit) const;
 
   /// The same, but only what is in the cut.
   ///
@@ -90,8 +93,8 @@ class TriangleTree {
   /// Levels of the tree, whatever the input.
   static constexpr std::size_t kMaxDepth = 80;
 
-  template <class Function>
-  void VisitBelow(const Shaft& shaft, std::int32_t index,
+  template <class Region, class Function>
+  void VisitBelow(const Region& region, std::int32_t index,
                   Function& visit) const;
   template <class Function>
   static void VisitTriangles(const Node& node, std::uint32_t kept,
@@ -106,9 +109,9 @@ class TriangleTree {
   std::vector<Node> nodes_;
 };
 
-template <class Function>
-void TriangleTree::Visit(const Shaft& shaft, Function&& visit) const {
-  if (!nodes_.empty()) VisitBelow(shaft, 0, visit);
+template <class Region, class Function>
+void TriangleTree::Visit(const Region& region, Function&& visit) const {
+  if (!nodes_.empty()) VisitBelow(region, 0, visit);
 }
 
 template <class Function>
@@ -125,8 +128,8 @@ void TriangleTree::Visit(const Shaft& shaft, const TreeCut& cut,
 }
 
 /// Of a node, the triangles come before what is below its child nodes.
-template <class Function>
-void TriangleTree::VisitBelow(const Shaft& shaft, std::int32_t index,
+template <class Region, class Function>
+void TriangleTree::VisitBelow(const Region& region, std::int32_t index,
                               Function& visit) const {
   // Not cleared: that would take as long as many a query.
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
@@ -135,7 +138,7 @@ void TriangleTree::VisitBelow(const Shaft& shaft, std::int32_t index,
   stack[size++] = index;
   while (size > 0) {
     const Node& node = At(stack[--size]);
-    const std::uint32_t kept = shaft.Kept(node.boxes);
+    const std::uint32_t kept = region.Kept(node.boxes);
     if (kept == 0) continue;
     for (std::size_t i = 4; i-- > 0;) {
       if (((kept & ~node.leaves) >> i & 1U) != 0) {

@@ -1,6 +1,5 @@
 #include "visibility/coverage.h"
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -59,53 +58,6 @@ bool CoverOf(Geometry& geometry, const ViewEdge& edge, const Cone& cone,
   return CoverOf(geometry, edge, cone, from, to, cover);
 }
 
-template <class Geometry>
-void EdgeSweep<Geometry>::Start(const ViewEdge& edge) {
-  edge_ = edge;
-  events_.clear();
-  pieces_.clear();
-}
-
-template <class Geometry>
-void EdgeSweep<Geometry>::Add(const Cover& cover, Role role) {
-  events_.push_back({cover.begin, role, cover.side, 1});
-  events_.push_back({cover.end, role, cover.side, -1});
-}
-
-template <class Geometry>
-void EdgeSweep<Geometry>::Apply(const Event& event) {
-  if (event.role == Role::kOwner) {
-    owner_ += event.step;
-    return;
-  }
-  int* count = event.role == Role::kSource ? source_ : blocker_;
-  if (event.side != Sign::kPositive) count[0] += event.step;
-  if (event.side != Sign::kNegative) count[1] += event.step;
-}
-
-template <class Geometry>
-const std::vector<VisiblePiece>& EdgeSweep<Geometry>::Finish() {
-  std::ranges::sort(events_, [this](const Event& a, const Event& b) {
-    return ComparePositions(geometry_, edge_, a.position, b.position) ==
-           Sign::kNegative;
-  });
-  const auto visible = [this](int side) {
-    return source_[side] > 0 && blocker_[side] == 0;
-  };
-  for (std::size_t i = 0; i + 1 < events_.size(); ++i) {
-    Apply(events_[i]);
-    // A side is judged between two events at different positions only; where
-    // it cannot yield an arc, the positions need not be told apart.
-    if (owner_ > 0 || visible(0) == visible(1)) continue;
-    const EdgePosition& begin = events_[i].position;
-    const EdgePosition& end = events_[i + 1].position;
-    if (ComparePositions(geometry_, edge_, begin, end) == Sign::kZero) continue;
-    pieces_.push_back({begin, end, visible(1)});
-  }
-  if (!events_.empty()) Apply(events_.back());
-  return pieces_;
-}
-
 template bool CoverOf(ViewGeometry&, const ViewEdge&, const Cone&, Cover&);
 template bool CoverOf(UnfilteredViewGeometry&, const ViewEdge&, const Cone&,
                       Cover&);
@@ -113,7 +65,5 @@ template bool CoverOf(ViewGeometry&, const ViewEdge&, const Cone&, BundleSides&,
                       BundleSides&, Cover&);
 template bool CoverOf(UnfilteredViewGeometry&, const ViewEdge&, const Cone&,
                       BundleSides&, BundleSides&, Cover&);
-template class EdgeSweep<ViewGeometry>;
-template class EdgeSweep<UnfilteredViewGeometry>;
 
 }  // namespace truelux

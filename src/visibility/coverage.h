@@ -1,10 +1,8 @@
-// What cones do along one edge: the interval of the edge inside each cone, on
-// which side, and the sweep that tells visible from hidden.
+// What cones do along one edge: the interval of the edge inside each cone, and
+// on which side.
 
 #ifndef TRUELUX_VISIBILITY_COVERAGE_H_
 #define TRUELUX_VISIBILITY_COVERAGE_H_
-
-#include <vector>
 
 #include "exact/view_geometry.h"
 #include "visibility/cone.h"
@@ -73,53 +71,6 @@ struct VisiblePiece {
   bool positive = true;  ///< the visible side is N . d > 0
 };
 
-/// Collects what happens along one edge, then finds its visible pieces. Used
-/// again for every edge, without allocation in the steady state.
-template <class Geometry>
-class EdgeSweep {
- public:
-  explicit EdgeSweep(Geometry& geometry) : geometry_(geometry) {}
-
-  void Start(const ViewEdge& edge);
-
-  /// The source is there.
-  void AddSource(const Cover& cover) { Add(cover, Role::kSource); }
-
-  /// A blocker hides what is there.
-  void AddBlocker(const Cover& cover) { Add(cover, Role::kBlocker); }
-
-  /// A candidate edge in the same plane, with a smaller id than this one,
-  /// which owns the arcs there.
-  void AddOwner(const Cover& cover) { Add(cover, Role::kOwner); }
-
-  /// The pieces that have exactly one visible side and no other owner, in
-  /// order along the edge. Valid until the next Start.
-  const std::vector<VisiblePiece>& Finish();
-
- private:
-  enum class Role : signed char { kSource, kBlocker, kOwner };
-
-  /// One end of a cover: counts change by `step` there.
-  struct Event {
-    EdgePosition position;
-    Role role;
-    Sign side;
-    int step;
-  };
-
-  void Add(const Cover& cover, Role role);
-  void Apply(const Event& event);
-
-  Geometry& geometry_;
-  ViewEdge edge_;
-  std::vector<Event> events_;
-  std::vector<VisiblePiece> pieces_;
-  // How many covers hold at the current position: [side N.d < 0, N.d > 0].
-  int source_[2] = {0, 0};
-  int blocker_[2] = {0, 0};
-  int owner_ = 0;
-};
-
 extern template bool CoverOf(ViewGeometry&, const ViewEdge&, const Cone&,
                              Cover&);
 extern template bool CoverOf(UnfilteredViewGeometry&, const ViewEdge&,
@@ -128,8 +79,6 @@ extern template bool CoverOf(ViewGeometry&, const ViewEdge&, const Cone&,
                              BundleSides&, BundleSides&, Cover&);
 extern template bool CoverOf(UnfilteredViewGeometry&, const ViewEdge&,
                              const Cone&, BundleSides&, BundleSides&, Cover&);
-extern template class EdgeSweep<ViewGeometry>;
-extern template class EdgeSweep<UnfilteredViewGeometry>;
 
 }  // namespace truelux
 

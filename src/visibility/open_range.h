@@ -1,9 +1,11 @@
-// An interval of an edge from which covers are taken away.
+// Intervals of an edge from which covers are taken away.
 
 #ifndef TRUELUX_VISIBILITY_OPEN_RANGE_H_
 #define TRUELUX_VISIBILITY_OPEN_RANGE_H_
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "visibility/coverage.h"
@@ -72,6 +74,43 @@ class OpenRange {
   EdgePosition begin_ = kEdgeFrom;
   EdgePosition end_ = kEdgeTo;
   std::vector<Hole> holes_;
+};
+
+/// Disjoint intervals of one edge, treated alike.
+template <class Geometry>
+class OpenRanges {
+ public:
+  void Clear() { size_ = 0; }
+
+  void Start(const EdgePosition& begin, const EdgePosition& end) {
+    if (size_ == ranges_.size()) ranges_.emplace_back();
+    ranges_[size_++].Start(begin, end);
+  }
+
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+
+  /// Takes a cover away. False if nothing is left of any.
+  bool Remove(Geometry& geometry, const ViewEdge& edge, const Cover& cover) {
+    for (std::size_t i = 0; i < size_;) {
+      if (ranges_[i].Remove(geometry, edge, cover)) {
+        ++i;
+      } else {
+        std::swap(ranges_[i], ranges_[--size_]);
+      }
+    }
+    return size_ > 0;
+  }
+
+  /// Calls visit(begin, end) for every interval that is left. Ends the ranges.
+  template <class Visit>
+  void ForEachLeft(Geometry& geometry, const ViewEdge& edge, Visit&& visit) {
+    for (std::size_t i = 0; i < size_; ++i)
+      ranges_[i].ForEachLeft(geometry, edge, visit);
+  }
+
+ private:
+  std::vector<OpenRange<Geometry>> ranges_;  ///< in use are the first size_
+  std::size_t size_ = 0;
 };
 
 }  // namespace truelux

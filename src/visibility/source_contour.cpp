@@ -20,11 +20,7 @@ SourceContour<Geometry>::SourceContour(const ConvexPieces& pieces,
                                        Geometry& geometry,
                                        ConeMaker<Geometry>& cones,
                                        SourceParts<Geometry>& parts)
-    : pieces_(pieces),
-      geometry_(geometry),
-      cones_(cones),
-      parts_(parts),
-      sweep_(geometry) {}
+    : pieces_(pieces), geometry_(geometry), cones_(cones), parts_(parts) {}
 
 /// Whether both sides of a source's edge are source: the pieces on both its
 /// sides survived the horizon.
@@ -89,19 +85,12 @@ bool SourceContour<Geometry>::IsOwnedBefore(const Part& part,
   return owner != Part::kNoCandidate && owner < id;
 }
 
-/// Starts one edge with the interval that lies in the source, where arcs can
-/// be. False if there is none.
+/// Adds the interval of a blocker's edge that lies in the chosen cone of the
+/// source, where arcs can be, if there is one.
 template <class Geometry>
-bool SourceContour<Geometry>::StartEdge(const Owner& owner, std::size_t k) {
-  if (owner.part->candidates[k] == Part::kNoCandidate) return false;
-  // Along its own edge a source holds the inner side, a blocker hides it.
-  needs_positive_[k] = !owner.is_blocker;
-  if (!owner.is_blocker) {
-    ranges_[k].Start(kEdgeFrom, kEdgeTo);
-    return true;
-  }
+void SourceContour<Geometry>::StartEdge(std::size_t k) {
   const ViewEdge& edge = edges_[k];
-  const Part& source = parts_.sources().front();
+  const Part& source = parts_.chosen();
   parts_.SidesOfSource(edge.from);
   BundleSides& to = parts_.SidesOfSource(edge.to);
   // Asked for last: the first question may have moved the second's answer.
@@ -109,27 +98,53 @@ bool SourceContour<Geometry>::StartEdge(const Owner& owner, std::size_t k) {
   const std::uint32_t all = geometry_.BundleMask(source.cone.bundle);
   if ((from.positive & to.positive) == all) {
     ranges_[k].Start(kEdgeFrom, kEdgeTo);
-    return true;
+    return;
   }
   Cover cover;
-  if (!CoverOf(geometry_, edge, source.cone, from, to, cover)) return false;
-  // In the plane of a source's edge, that edge owns the arcs.
-  if (cover.side != Sign::kZero) return false;
+  if (!CoverOf(geometry_, edge, source.cone, from, to, cover)) return;
+  if (cover.side != Sign::kZero) {
+    // In the plane of a source's edge, that edge owns the arcs. On a diagonal
+    // the cone on the other side of the blocker can be seen.
+    const bool is_diagonal =
+        source.candidates[Index(cover.coincident)] == Part::kNoCandidate;
+    if (!is_diagonal || cover.side == Sign::kPositive) return;
+  }
   ranges_[k].Start(cover.begin, cover.end);
-  return true;
+}
+
+/// Starts the edges of a blocker with what lies in the cones of the source.
+template <class Geometry>
+void SourceContour<Geometry>::StartBlocker(const Owner& owner) {
+  const auto boxes = parts_.source_boxes();
+  for (std::size_t s = 0; s < boxes.size(); ++s) {
+    if (!parts_.blocker_boxes()[owner.index].Meets(boxes[s])) continue;
+    // The choice of one cone stands for all blockers.
+    if (boxes.size() > 1) parts_.ChooseCone(s);
+    for (std::size_t k = 0; k < owner.part->cone.size; ++k) {
+      const bool is_near = owner.part->candidates[k] != Part::kNoCandidate &&
+                           boxes_[k].Meets(boxes[s]);
+      if (is_near) StartEdge(k);
+    }
+  }
 }
 
 /// Starts the edges of a part; a bit for every edge that may hold arcs.
 template <class Geometry>
 std::uint32_t SourceContour<Geometry>::StartEdges(const Owner& owner) {
   const Cone& cone = owner.part->cone;
-  std::uint32_t open = 0;
   for (std::size_t k = 0; k < cone.size; ++k) {
     edges_[k] = {cone.planes[k], cone.From(k), cone.To(k)};
-    if (!StartEdge(owner, k)) continue;
-    open |= 1U << k;
     boxes_[k] = parts_.BoxOfEdge(edges_[k].from, edges_[k].to);
+    // Along its own edge a source holds the inner side, a blocker hides it.
+    needs_positive_[k] = !owner.is_blocker;
+    ranges_[k].Clear();
+    if (!owner.is_blocker && owner.part->candidates[k] != Part::kNoCandidate)
+      ranges_[k].Start(kEdgeFrom, kEdgeTo);
   }
+  if (owner.is_blocker) StartBlocker(owner);
+  std::uint32_t open = 0;
+  for (std::size_t k = 0; k < cone.size; ++k)
+    open |= (ranges_[k].empty() ? 0U : 1U) << k;
   return open;
 }
 
@@ -183,10 +198,11 @@ void SourceContour<Geometry>::AddArc(const Owner& owner, std::size_t k,
                     owner.is_blocker ? kNoEdge : cone.edges[k]});
 }
 
-/// The arcs on the edges of a part of which exactly one side can see the
-/// source: what is visible is what the blockers leave of that side. An edge of
-/// a source of several cones bounds the polygon or is left out as a diagonal,
-/// and other cones of a simple polygon, clipped or not, do not reach it.
+/// The arcs on the edges of a part. Exactly one side of an edge can see the source, so that what
+/// is visible is what the blockers leave of that side: a blocker hides the side
+/// on which it is; an edge of a source bounds the polygon or is left out as a
+/// diagonal, and other cones of a simple polygon, clipped or not, do not reach
+/// it.
 template <class Geometry>
 void SourceContour<Geometry>::SweepPart(const Owner& owner) {
   cones_.Complete(owner.part->cone);
@@ -209,44 +225,6 @@ void SourceContour<Geometry>::SweepPart(const Owner& owner) {
   }
 }
 
-/// The arcs on one edge of a blocker, whatever the source.
-template <class Geometry>
-void SourceContour<Geometry>::SweepEdgeOfMany(const Owner& owner,
-                                              std::size_t k) {
-  const int id = owner.part->candidates[k];
-  if (id == Part::kNoCandidate) return;
-  const Cone& cone = owner.part->cone;
-  edges_[k] = {cone.planes[k], cone.From(k), cone.To(k)};
-  const ViewEdge& edge = edges_[k];
-  const ImageBox box = parts_.BoxOfEdge(edge.from, edge.to);
-  sweep_.Start(edge);
-  bool any_source = false;
-  Cover cover;
-  for (std::size_t s = 0; s < parts_.sources().size(); ++s) {
-    if (!parts_.source_boxes()[s].Meets(box)) continue;
-    const Part& source = parts_.sources()[s];
-    if (!CoverOf(geometry_, edge, source.cone, cover)) continue;
-    any_source = true;
-    sweep_.AddSource(cover);
-    if (IsOwnedBefore(source, cover, id)) sweep_.AddOwner(cover);
-  }
-  if (!any_source) return;
-  const bool any_left = bins_.ForEach(box, [&](std::size_t p) {
-    if (!parts_.blocker_boxes()[p].Meets(box)) return true;
-    Part& blocker = parts_.blockers()[p];
-    cones_.Complete(blocker.cone);
-    if (!CoverOf(geometry_, edge, blocker.cone, cover)) return true;
-    // Nothing is left where one blocker hides both sides of it all.
-    if (cover.side == Sign::kZero && cover.Whole()) return false;
-    sweep_.AddBlocker(cover);
-    if (IsOwnedBefore(blocker, cover, id)) sweep_.AddOwner(cover);
-    return true;
-  });
-  if (!any_left) return;
-  for (const VisiblePiece& piece : sweep_.Finish())
-    AddArc(owner, k, piece);
-}
-
 template <class Geometry>
 void SourceContour<Geometry>::AppendArcs(std::vector<ViewArc>& arcs) {
   if (parts_.hidden()) return;
@@ -256,21 +234,10 @@ void SourceContour<Geometry>::AppendArcs(std::vector<ViewArc>& arcs) {
     parts_.DropHiddenBlockers(bins_);
   }
   NumberCandidates();
-  const bool one_cone = parts_.sources().size() == 1;
-  const auto sweep = [&](std::span<Part> parts, bool are_blockers) {
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-      const Owner owner{&parts[p], p, are_blockers};
-      if (one_cone || !are_blockers) {
-        SweepPart(owner);
-        continue;
-      }
-      cones_.Complete(parts[p].cone);
-      for (std::size_t k = 0; k < parts[p].cone.size; ++k)
-        SweepEdgeOfMany(owner, k);
-    }
-  };
-  sweep(parts_.sources(), false);
-  sweep(parts_.blockers(), true);
+  for (std::size_t s = 0; s < parts_.sources().size(); ++s)
+    SweepPart({&parts_.sources()[s], s, false});
+  for (std::size_t p = 0; p < parts_.blockers().size(); ++p)
+    SweepPart({&parts_.blockers()[p], p, true});
 }
 
 template class SourceContour<ViewGeometry>;

@@ -49,27 +49,22 @@ class SourceContour {
   bool IsInner(int edge);
   static bool IsOwnedBefore(const Part& part, const Cover& cover, int id);
 
-  // Of the edges of a source, and of those of blockers before a source that is
-  // one cone, exactly one side can see it.
   void SweepPart(const Owner& owner);
   std::uint32_t StartEdges(const Owner& owner);
-  bool StartEdge(const Owner& owner, std::size_t k);
+  void StartBlocker(const Owner& owner);
+  void StartEdge(std::size_t k);
   bool Hide(const Owner& owner, std::size_t p, std::uint32_t& open);
   void AddArc(const Owner& owner, std::size_t k, const VisiblePiece& piece);
-
-  // A blocker's edge before any source.
-  void SweepEdgeOfMany(const Owner& owner, std::size_t k);
 
   const ConvexPieces& pieces_;
   Geometry& geometry_;
   ConeMaker<Geometry>& cones_;
   SourceParts<Geometry>& parts_;
-  EdgeSweep<Geometry> sweep_;
   PartBins bins_;
   std::vector<ViewArc>* arcs_ = nullptr;  ///< of the call that is running
 
   // Of the part that is being swept, per edge of its cone.
-  std::array<OpenRange<Geometry>, Cone::kMaxEdges> ranges_;
+  std::array<OpenRanges<Geometry>, Cone::kMaxEdges> ranges_;
   std::array<ViewEdge, Cone::kMaxEdges> edges_{};
   std::array<ImageBox, Cone::kMaxEdges> boxes_;
   std::array<bool, Cone::kMaxEdges> needs_positive_{};

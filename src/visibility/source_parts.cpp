@@ -33,6 +33,7 @@ bool SourceParts<Geometry>::SetSource(int facet) {
   hidden_ = false;
   sides_.clear();
   ++source_generation_;
+  ChooseCone(0);
   plane_triangle_ = scene_.facets()[Index(facet)].first_triangle;
   chart_ = ImageChart(geometry_.TriangleNormalFilter(plane_triangle_));
   const int first = pieces_.FirstPieceOf(facet);
@@ -68,6 +69,7 @@ void SourceParts<Geometry>::FindEntry(int direction) {
   entry.box = chart_.Of(geometry_.DirectionFilter(direction), entry.misses);
   entry.front = kUnknown;
   entry.sides = kNoSides;
+  entry.choice = 0;
 }
 
 template <class Geometry>
@@ -82,9 +84,13 @@ Sign SourceParts<Geometry>::FrontSide(int vertex) {
 
 template <class Geometry>
 void SourceParts<Geometry>::FindSides(int direction, DirectionEntry& entry) {
-  entry.sides = static_cast<int>(sides_.size());
-  const int bundle = sources_.front().cone.bundle;
-  BundleSides& sides = sides_.emplace_back();
+  if (entry.sides == kNoSides) {
+    entry.sides = static_cast<int>(sides_.size());
+    sides_.emplace_back();
+  }
+  entry.choice = choice_;
+  const int bundle = chosen().cone.bundle;
+  BundleSides& sides = sides_[Index(entry.sides)];
   geometry_.FilterSides(bundle, direction, sides);
   geometry_.CompleteSides(bundle, direction, sides);
 }
@@ -142,7 +148,7 @@ bool SourceParts<Geometry>::IsApart(const Cone& cone, const ImageBox& box) {
       return source.Meets(box);
     });
   }
-  const std::uint32_t all = geometry_.BundleMask(sources_.front().cone.bundle);
+  const std::uint32_t all = geometry_.BundleMask(chosen().cone.bundle);
   std::uint32_t inside = 0;
   for (std::size_t k = 0; k < cone.size; ++k) {
     inside |= SidesOfSource(cone.directions[k]).positive;

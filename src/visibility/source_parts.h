@@ -78,10 +78,19 @@ class SourceParts {
   /// The box of an edge between two directions.
   ImageBox BoxOfEdge(int from, int to);
 
-  /// The sides of a direction to the planes of a source that is one cone.
+  /// Which of sources() SidesOfSource is about; at first the first one.
+  void ChooseCone(std::size_t index) {
+    chosen_ = index;
+    ++choice_;
+  }
+
+  /// The cone that is chosen.
+  [[nodiscard]] const Part& chosen() const { return sources_[chosen_]; }
+
+  /// The sides of a direction to the planes of the chosen cone.
   BundleSides& SidesOfSource(int direction) {
     DirectionEntry& entry = EntryOf(direction);
-    if (entry.sides == kNoSides) FindSides(direction, entry);
+    if (entry.choice != choice_) FindSides(direction, entry);
     return sides_[static_cast<std::size_t>(entry.sides)];
   }
 
@@ -103,7 +112,8 @@ class SourceParts {
     ImageBox box;
     bool misses = false;           ///< certainly never meets the source's plane
     signed char front = kUnknown;  ///< sign of VertexSide, for a vertex
-    int sides = kNoSides;          ///< index into sides_
+    int sides = kNoSides;          ///< index into sides_, of ..
+    std::uint64_t choice = 0;      ///< .. the cone that was chosen then
   };
 
   static constexpr int kNoSides = -1;
@@ -146,6 +156,8 @@ class SourceParts {
   ImageBox source_box_;
   std::vector<Part> sources_;
   std::vector<ImageBox> source_boxes_;
+  std::size_t chosen_ = 0;    ///< of sources_
+  std::uint64_t choice_ = 0;  ///< one more for every ChooseCone
   std::vector<Part> blockers_;
   std::vector<ImageBox> blocker_boxes_;
   std::vector<bool> dropped_;  ///< per blocker, while they are looked through
@@ -154,7 +166,7 @@ class SourceParts {
   std::vector<std::uint64_t> source_of_;   ///< per piece: last source it is in
   std::vector<std::uint64_t> blocker_of_;  ///< per piece: last source it blocks
   std::vector<DirectionEntry> entries_;    ///< per direction id
-  std::vector<BundleSides> sides_;         ///< of directions to the source
+  std::vector<BundleSides> sides_;         ///< of directions to the chosen cone
 };
 
 extern template class SourceParts<ViewGeometry>;

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "support/edge_sweep.h"
 #include "visibility/cone.h"
 #include "visibility/contour_writer.h"
 #include "visibility/coverage.h"

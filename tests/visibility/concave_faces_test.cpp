@@ -110,5 +110,31 @@ TEST(ConcaveFaces, AllEnginesAndTheTrianglesAgree) {
   EXPECT_GT(across_horizon, 25);
 }
 
+/// Seen from the origin every edge of the blocker lies on a line between two
+/// corners of the source, diagonals that its pieces share among them.
+TEST(ConcaveFaces, BlockersAlongDiagonals) {
+  const Ring comb{{-4, -4, 4}, {-4, 4, 4}, {-1, 4, 4}, {-1, 0, 4},
+                  {1, 0, 4},   {1, 4, 4},  {4, 4, 4},  {4, -4, 4}};
+  int partly_hidden = 0;
+  const double whole = FromBelow({{comb, kLamp}})[0];
+  for (std::size_t i = 0; i < comb.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t k = 0; k < j; ++k) {
+        const Ring blocker = Scaled({comb[i], comb[j], comb[k]}, 0.5);
+        const std::vector<TestFace> faces{{comb, kLamp}, {blocker, kBlack}};
+        const std::vector<Scene> scene = TryScene(faces);
+        ASSERT_FALSE(scene.empty());
+        const Receiver receiver{{0, 0, 0}, {0, 0, 1}};
+        const Rgb value = Evaluate(scene[0], receiver);
+        EXPECT_EQ(value, Evaluate(scene[0], receiver,
+                                  {.engine = Engine::kArrangement}))
+            << i << ' ' << j << ' ' << k;
+        if (value[0] < whole) ++partly_hidden;
+      }
+    }
+  }
+  EXPECT_GT(partly_hidden, 40);
+}
+
 }  // namespace
 }  // namespace truelux

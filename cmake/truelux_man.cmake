@@ -24,7 +24,8 @@ foreach(_page IN LISTS _truelux_pages)
     set(_see " ${_command}")
   endif()
   set(_file ${PROJECT_BINARY_DIR}/man/${_name}.1)
-  # help2man names a page after the file that it runs.
+  # help2man names a page after the file that it runs, and takes a path with a
+  # blank for a command with an argument.
   set(_script ${PROJECT_BINARY_DIR}/man/${_name})
   file(GENERATE OUTPUT ${_script}
     CONTENT "#!/bin/sh\nexec '$<TARGET_FILE:truelux>'${_see} \"$@\"\n"
@@ -35,7 +36,8 @@ foreach(_page IN LISTS _truelux_pages)
       COMMAND ${HELP2MAN} --no-info --section=1 --name=${_summary}
         --version-string=${PROJECT_VERSION} --source=truelux
         --include=${PROJECT_SOURCE_DIR}/cmake/truelux_man.inc
-        --output=${_file} ${_script}
+        --output=${_file} ./${_name}
+      WORKING_DIRECTORY ${PROJECT_BINARY_DIR}/man
       DEPENDS truelux ${PROJECT_SOURCE_DIR}/cmake/truelux_man.inc
       VERBATIM)
     list(APPEND _truelux_pages_made ${_file})

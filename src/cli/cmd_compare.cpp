@@ -26,6 +26,7 @@
 #include "report/candidates.h"
 #include "report/evenly_picked.h"
 #include "scene/diagnostic_list.h"
+#include "scene/emitters.h"
 #include "scene/scene_variants.h"
 
 namespace truelux {

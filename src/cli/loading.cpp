@@ -10,6 +10,7 @@
 #include "cli/messages.h"
 #include "report/receivers.h"
 #include "scene/diagnostic_list.h"
+#include "scene/emitters.h"
 #include "scene/read_scene.h"
 #include "scene/text_file.h"
 
@@ -18,10 +19,7 @@ namespace {
 
 /// The likeliest reason for zeros everywhere deserves a word.
 void NoteDarkness(const Scene& scene, const std::string& name) {
-  const auto emits = [](const Face& face) {
-    return std::ranges::any_of(face.emission, [](double m) { return m > 0; });
-  };
-  if (scene.faces().empty() || std::ranges::any_of(scene.faces(), emits)) {
+  if (scene.faces().empty() || std::ranges::any_of(scene.faces(), Emits)) {
     return;
   }
   Print({{Severity::kNote, name, 0,

@@ -9,6 +9,8 @@
 #include <map>
 
 #include "report/view_measure.h"
+#include "scene/emitters.h"
+#include "scene/facet_normal.h"
 
 namespace truelux {
 namespace {
@@ -43,25 +45,10 @@ std::string SourceColour(const Rgb& emission) {
   return HexOf(colour);
 }
 
-/// |cos| of the angle between a facet's normal and a direction.
+/// |cos| of the angle between a facet's normal and a direction of length 1.
 double Facing(const Scene& scene, int facet, const Vector3& direction) {
-  const Facet& f = scene.facets()[static_cast<std::size_t>(facet)];
-  const Triangle& t =
-      scene.triangles()[static_cast<std::size_t>(f.first_triangle)];
-  const auto corner = [&](std::size_t k) {
-    return scene.vertices()[static_cast<std::size_t>(t.vertices[k])];
-  };
-  const Point3 a = corner(0);
-  const Point3 b = corner(1);
-  const Point3 c = corner(2);
-  const Vector3 u = UnitOf({b.x - a.x, b.y - a.y, b.z - a.z});
-  const Vector3 v = UnitOf({c.x - a.x, c.y - a.y, c.z - a.z});
-  const Vector3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z,
-                  u.x * v.y - u.y * v.x};
-  const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-  if (!(length > 0)) return 0;  // so thin that double cannot tell
-  return std::abs(n.x * direction.x + n.y * direction.y + n.z * direction.z) /
-         length;
+  const Vector3 n = UnitOf(FacetNormal(scene, facet));
+  return std::abs(n.x * direction.x + n.y * direction.y + n.z * direction.z);
 }
 
 Vector3 OutOfFrame(const Vector3& v, const ViewFrame& f) {
@@ -120,9 +107,7 @@ InspectedView Inspect(const Oracle& oracle, const std::string& scene_name,
 
 RegionKind KindOf(const Scene& scene, const ViewRegion& region) {
   if (region.face == 0) return RegionKind::kNothing;
-  const Rgb& emission = FaceOf(scene, region.face).emission;
-  if (std::ranges::none_of(emission, [](double m) { return m > 0; }))
-    return RegionKind::kBlocker;
+  if (!Emits(FaceOf(scene, region.face))) return RegionKind::kBlocker;
   return region.front ? RegionKind::kSource : RegionKind::kBack;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "report/mistake_fit.h"
+#include "scene/emitters.h"
 #include "scene/scene_variants.h"
 
 namespace truelux {

@@ -10,6 +10,7 @@
 #include "report/mistake_fit.h"
 #include "report/mistakes.h"
 #include "scene/group_selection.h"
+#include "scene/emitters.h"
 #include "scene/scene_variants.h"
 
 namespace truelux {

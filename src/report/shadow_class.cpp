@@ -24,14 +24,19 @@ const char* Name(ShadowClass shadow) {
 
 ShadowClass ShadowClassOf(const Scene& scene, const Receiver& receiver,
                           const VisibleContour& contour) {
-  if (contour.arcs.empty()) {
-    return contour.statistics.sources == 0 ? ShadowClass::kNoSource
-                                           : ShadowClass::kUmbra;
-  }
   const ReceiverTraits traits = TraitsOf(scene, receiver, contour);
   if (traits.conjunctions > 0) return ShadowClass::kConjunctive;
-  return traits.lighting == Lighting::kFullyLit ? ShadowClass::kLit
-                                                : ShadowClass::kPenumbra;
+  switch (traits.lighting) {
+    case Lighting::kUnlit:
+      break;
+    case Lighting::kUmbra:
+      return ShadowClass::kUmbra;
+    case Lighting::kFullyLit:
+      return ShadowClass::kLit;
+    case Lighting::kPenumbra:
+      return ShadowClass::kPenumbra;
+  }
+  return ShadowClass::kNoSource;
 }
 
 }  // namespace truelux

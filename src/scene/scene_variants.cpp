@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "scene/emitters.h"
 #include "scene/scene_data.h"
 
 namespace truelux {
@@ -103,27 +104,6 @@ Scene WithBlackFaces(const Scene& scene, std::span<const int> faces) {
 Scene WithOneEmitter(const Scene& scene, int face) {
   return SceneVariants::Changed(scene, [&](std::size_t i, FaceChange& change) {
     if (i != Index(face)) change.emission = {};
-  });
-}
-
-bool Emits(const Face& face) {
-  return std::ranges::any_of(face.emission, [](double m) { return m > 0; });
-}
-
-std::vector<int> EmittersOf(const Scene& scene) {
-  std::vector<int> emitters;
-  for (std::size_t i = 0; i < scene.faces().size(); ++i) {
-    const Face& face = scene.faces()[i];
-    if (Emits(face) && face.facet_count > 0)
-      emitters.push_back(static_cast<int>(i));
-  }
-  return emitters;
-}
-
-bool IsGrey(const Scene& scene) {
-  return std::ranges::all_of(scene.faces(), [](const Face& face) {
-    return face.emission[0] == face.emission[1] &&
-           face.emission[1] == face.emission[2];
   });
 }
 

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <functional>
 #include <span>
-#include <vector>
 
 #include "truelux/geometry.h"
 #include "truelux/scene.h"
@@ -48,15 +47,6 @@ class SceneVariants {
 
 /// Only one face emits; all block as ever. face: index into Scene::faces().
 [[nodiscard]] Scene WithOneEmitter(const Scene& scene, int face);
-
-/// Whether a face emits in some channel.
-[[nodiscard]] bool Emits(const Face& face);
-
-/// The faces that emit, as indices into Scene::faces(), in their order.
-[[nodiscard]] std::vector<int> EmittersOf(const Scene& scene);
-
-/// Whether every face emits the same in red, green and blue.
-[[nodiscard]] bool IsGrey(const Scene& scene);
 
 }  // namespace truelux
 

@@ -5,15 +5,15 @@
 #include <cstddef>
 #include <utility>
 
+#include "scene/emitters.h"
+
 namespace truelux {
 namespace {
 
-bool Emits(const ContourQuery& query, const Facet& facet) {
+/// Whether a facet counts as a source for the query.
+bool CountsAsSource(const ContourQuery& query, const Facet& facet) {
   if (query.only_source != 0) return facet.face + 1 == query.only_source;
-  const Rgb& emission =
-      query.scene.faces()[static_cast<std::size_t>(facet.face)].emission;
-  return std::any_of(emission.begin(), emission.end(),
-                     [](double m) { return m > 0; });
+  return Emits(query.scene.faces()[static_cast<std::size_t>(facet.face)]);
 }
 
 std::span<const Triangle> TrianglesOf(const ContourQuery& query,
@@ -72,7 +72,7 @@ std::vector<FacetView> FacetViewsOf(const ContourQuery& query) {
     view.blocks =
         side != Sign::kZero && (ignored.empty() || !ignored[views.size()]);
     view.is_source = view.blocks && side == Sign::kNegative &&
-                     Emits(query, facet) &&
+                     CountsAsSource(query, facet) &&
                      HasPointAboveHorizon(query, facet, exact);
     views.push_back(std::move(view));
   }

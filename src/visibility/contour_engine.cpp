@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "scene/emitters.h"
 #include "visibility/cone.h"
 #include "visibility/contour_writer.h"
 #include "visibility/source_contour.h"
@@ -10,13 +11,6 @@
 #include "visibility/source_parts.h"
 
 namespace truelux {
-namespace {
-
-bool Emits(const Face& face) {
-  return std::ranges::any_of(face.emission, [](double m) { return m > 0; });
-}
-
-}  // namespace
 
 ContourEngine::ContourEngine(const Scene& scene)
     : scene_(scene),

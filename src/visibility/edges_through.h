@@ -14,17 +14,9 @@
 #include "exact/recipe.h"
 #include "visibility/arrangement_view.h"
 #include "visibility/contour.h"
-#include "visibility/seen_edge.h"
+#include "visibility/edge_hit.h"
 
 namespace truelux {
-
-/// An edge, or the line where two faces meet, that passes through a direction
-/// or ends there.
-struct EdgeHit {
-  Vec3<Exact> plane;  ///< normal of the edge's plane through r
-  int vertex = -1;    ///< the scene vertex where it ends there, or -1
-  SeenEdge edge;
-};
 
 /// The edges of the facets that take part in a view.
 class EdgesThrough {

@@ -1,3 +1,4 @@
+#include "scene/emitters.h"
 #include "scene/scene_variants.h"
 
 #include <algorithm>

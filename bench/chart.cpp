@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <fmt/format.h>
 
-#include "report/svg.h"
-#include "report/svg_axis.h"
+#include "draw/svg.h"
+#include "draw/svg_axis.h"
 
 namespace truelux::bench {
 namespace {

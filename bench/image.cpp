@@ -20,8 +20,8 @@
 #include "truelux/irradiance.h"
 
 #include "baselines/timing.h"
-#include "cli/announce.h"
 #include "measure.h"
+#include "run/announce.h"
 #include "scenes.h"
 
 namespace truelux::bench {

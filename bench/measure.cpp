@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "baselines/timing.h"
-#include "cli/announce.h"
+#include "run/announce.h"
 
 namespace truelux::bench {
 namespace {

@@ -11,8 +11,8 @@
 #include "truelux/statistics.h"
 
 #include "methods.h"
-#include "report/quantile.h"
 #include "scenes.h"
+#include "text/quantile.h"
 
 namespace truelux::bench {
 

@@ -10,7 +10,7 @@
 #include "radiometry/evaluate.h"
 #include "scenes.h"
 #include "visibility/contour.h"
-#include "visibility/contour_engine.h"
+#include "visibility/edges/contour_engine.h"
 
 namespace truelux::bench {
 namespace {

@@ -12,12 +12,13 @@
 
 #include "bar.h"
 #include "chart.h"
-#include "cli/exit_status.h"
-#include "cli/interrupt.h"
-#include "cli/messages.h"
-#include "cli/output_file.h"
 #include "image.h"
 #include "options.h"
+#include "run/exit_status.h"
+#include "run/interrupt.h"
+#include "run/messages.h"
+#include "run/output_file.h"
+#include "run/user_error.h"
 #include "suites.h"
 #include "tables.h"
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "cli/announce.h"
 #include "methods.h"
+#include "run/announce.h"
 #include "scenes.h"
 #include "tables.h"
 

@@ -10,8 +10,8 @@
 
 #include "truelux/scene.h"
 
-#include "scene/read_scene.h"
-#include "scene/text_file.h"
+#include "scene/io/read_scene.h"
+#include "scene/io/text_file.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "visibility/contour_engine.h"
+#include "visibility/edges/contour_engine.h"
 
 namespace truelux {
 

@@ -3,7 +3,7 @@
 #include "baselines/scanline.h"
 #include "radiometry/evaluate.h"
 #include "radiometry/evaluation_workspace.h"
-#include "visibility/contour_engine.h"
+#include "visibility/edges/contour_engine.h"
 
 namespace truelux {
 namespace {

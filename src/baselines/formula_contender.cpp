@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "baselines/timing.h"
+#include "radiometry/evaluate.h"
+#include "radiometry/evaluation_query.h"
 #include "radiometry/formula_sum.h"
-#include "visibility/contour_engine.h"
+#include "visibility/edges/contour_engine.h"
 
 namespace truelux {
 namespace {

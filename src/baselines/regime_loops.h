@@ -9,7 +9,7 @@
 #include "truelux/geometry.h"
 
 #include "baselines/case_random.h"
-#include "baselines/regimes.h"
+#include "baselines/regime.h"
 
 namespace truelux {
 

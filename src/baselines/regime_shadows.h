@@ -6,7 +6,7 @@
 #define TRUELUX_BASELINES_REGIME_SHADOWS_H_
 
 #include "baselines/case_random.h"
-#include "baselines/regimes.h"
+#include "baselines/regime.h"
 
 namespace truelux {
 

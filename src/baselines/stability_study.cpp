@@ -7,6 +7,7 @@
 
 #include "baselines/case_contour.h"
 #include "baselines/timing.h"
+#include "radiometry/evaluate_weighted.h"
 #include "radiometry/formula_evaluation.h"
 #include "radiometry/weighted_contour.h"
 

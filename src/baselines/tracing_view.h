@@ -12,7 +12,7 @@
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 
-#include "scene/convex_pieces.h"
+#include "scene/index/convex_pieces.h"
 
 namespace truelux {
 

@@ -9,7 +9,7 @@
 #include "truelux/scene.h"
 
 #include "baselines/vertex_tracer.h"
-#include "scene/convex_pieces.h"
+#include "scene/index/convex_pieces.h"
 
 namespace truelux {
 

@@ -11,17 +11,17 @@
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 
-#include "cli/bench_methods.h"
-#include "cli/bench_run.h"
-#include "cli/interrupt.h"
 #include "cli/loading.h"
-#include "cli/messages.h"
 #include "cli/option_values.h"
-#include "cli/output_file.h"
 #include "cli/output_paths.h"
-#include "report/comparison_csv.h"
-#include "report/evenly_picked.h"
-#include "report/html_report.h"
+#include "run/interrupt.h"
+#include "run/output_file.h"
+#include "run/user_error.h"
+#include "study/bench_methods.h"
+#include "study/bench_run.h"
+#include "study/comparison_csv.h"
+#include "study/html_report.h"
+#include "text/evenly_picked.h"
 
 namespace truelux {
 namespace {

@@ -11,23 +11,23 @@
 
 #include "truelux/irradiance.h"
 
-#include "cli/input_file.h"
-#include "cli/interrupt.h"
 #include "cli/loading.h"
-#include "cli/messages.h"
 #include "cli/option_values.h"
 #include "cli/oracle_arguments.h"
-#include "cli/output_file.h"
 #include "cli/output_paths.h"
-#include "cli/parallel.h"
-#include "cli/progress.h"
 #include "cli/version.h"
-#include "report/candidate_report.h"
-#include "report/candidates.h"
-#include "report/evenly_picked.h"
+#include "compare/candidate_report.h"
+#include "compare/candidates.h"
+#include "run/input_file.h"
+#include "run/interrupt.h"
+#include "run/output_file.h"
+#include "run/parallel.h"
+#include "run/progress.h"
+#include "run/user_error.h"
 #include "scene/diagnostic_list.h"
 #include "scene/emitters.h"
 #include "scene/scene_variants.h"
+#include "text/evenly_picked.h"
 
 namespace truelux {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/exit_status.h"
+#include "run/exit_status.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
 class App;

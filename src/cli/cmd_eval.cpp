@@ -11,16 +11,17 @@
 #include "truelux/formulas.h"
 #include "truelux/irradiance.h"
 
-#include "cli/evaluation.h"
-#include "cli/interrupt.h"
 #include "cli/loading.h"
-#include "cli/messages.h"
-#include "cli/output_file.h"
 #include "cli/output_paths.h"
-#include "cli/progress.h"
 #include "cli/version.h"
-#include "report/receivers.h"
-#include "report/results.h"
+#include "run/evaluation.h"
+#include "run/interrupt.h"
+#include "run/messages.h"
+#include "run/output_file.h"
+#include "run/progress.h"
+#include "run/user_error.h"
+#include "text/receivers.h"
+#include "text/results.h"
 
 namespace truelux {
 namespace {

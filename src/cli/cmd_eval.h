@@ -4,7 +4,7 @@
 #define TRUELUX_CLI_CMD_EVAL_H_
 
 #include "cli/eval_request.h"
-#include "cli/exit_status.h"
+#include "run/exit_status.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
 class App;

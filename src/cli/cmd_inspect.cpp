@@ -11,18 +11,18 @@
 
 #include "truelux/irradiance.h"
 
-#include "cli/announce.h"
-#include "cli/interrupt.h"
 #include "cli/loading.h"
-#include "cli/messages.h"
 #include "cli/option_values.h"
 #include "cli/oracle_arguments.h"
-#include "cli/output_file.h"
 #include "cli/output_paths.h"
-#include "report/inspected_view.h"
-#include "report/receivers.h"
-#include "report/view_json.h"
-#include "report/view_svg.h"
+#include "inspect/inspected_view.h"
+#include "inspect/view_json.h"
+#include "inspect/view_svg.h"
+#include "run/announce.h"
+#include "run/interrupt.h"
+#include "run/output_file.h"
+#include "run/user_error.h"
+#include "text/receivers.h"
 
 namespace truelux {
 namespace {

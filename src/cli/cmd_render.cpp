@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "cli/interrupt.h"
 #include "cli/loading.h"
-#include "cli/messages.h"
-#include "cli/output_file.h"
-#include "cli/progress.h"
 #include "cli/render_pictures.h"
-#include "cli/render_pixels.h"
 #include "cli/render_view.h"
-#include "report/pixel_table.h"
+#include "image/pixel_table.h"
+#include "image/render_pixels.h"
+#include "run/interrupt.h"
+#include "run/messages.h"
+#include "run/output_file.h"
+#include "run/progress.h"
 
 namespace truelux {
 namespace {

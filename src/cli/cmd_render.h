@@ -3,8 +3,8 @@
 #ifndef TRUELUX_CLI_CMD_RENDER_H_
 #define TRUELUX_CLI_CMD_RENDER_H_
 
-#include "cli/exit_status.h"
 #include "cli/render_request.h"
+#include "run/exit_status.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
 class App;

@@ -9,13 +9,13 @@
 
 #include "baselines/regimes.h"
 #include "baselines/stability_study.h"
-#include "cli/interrupt.h"
-#include "cli/messages.h"
 #include "cli/option_values.h"
-#include "cli/output_file.h"
 #include "cli/output_paths.h"
-#include "cli/progress.h"
-#include "cli/stability_tables.h"
+#include "run/interrupt.h"
+#include "run/output_file.h"
+#include "run/progress.h"
+#include "run/user_error.h"
+#include "study/stability_tables.h"
 
 namespace truelux {
 namespace {

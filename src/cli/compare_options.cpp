@@ -4,7 +4,7 @@
 #include "cli/cmd_compare.h"
 #include "cli/input_arguments.h"
 #include "cli/oracle_arguments.h"
-#include "report/candidate_report.h"
+#include "compare/candidate_report.h"
 
 namespace truelux {
 namespace {

@@ -8,10 +8,10 @@
 #include "truelux/formulas.h"
 #include "truelux/io.h"
 
-#include "cli/messages.h"
 #include "cli/option_values.h"
 #include "cli/oracle_arguments.h"
-#include "report/receivers.h"
+#include "run/user_error.h"
+#include "text/receivers.h"
 
 namespace truelux {
 namespace {

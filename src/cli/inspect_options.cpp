@@ -4,7 +4,7 @@
 #include "cli/cmd_inspect.h"
 #include "cli/input_arguments.h"
 #include "cli/oracle_arguments.h"
-#include "report/view_svg.h"
+#include "inspect/view_svg.h"
 
 namespace truelux {
 namespace {

@@ -5,14 +5,15 @@
 #include <functional>
 #include <utility>
 
-#include "cli/input_file.h"
-#include "cli/interrupt.h"
-#include "cli/messages.h"
-#include "report/receivers.h"
+#include "run/input_file.h"
+#include "run/interrupt.h"
+#include "run/messages.h"
+#include "run/user_error.h"
 #include "scene/diagnostic_list.h"
 #include "scene/emitters.h"
-#include "scene/read_scene.h"
-#include "scene/text_file.h"
+#include "scene/io/read_scene.h"
+#include "scene/io/text_file.h"
+#include "text/receivers.h"
 
 namespace truelux {
 namespace {

@@ -13,7 +13,7 @@
 #include "truelux/scene.h"
 
 #include "cli/output_paths.h"
-#include "report/byte_source.h"
+#include "text/byte_source.h"
 
 namespace truelux {
 

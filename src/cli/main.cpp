@@ -14,11 +14,12 @@
 #include "cli/cmd_inspect.h"
 #include "cli/cmd_render.h"
 #include "cli/cmd_stability.h"
-#include "cli/exit_status.h"
 #include "cli/help_format.h"
-#include "cli/interrupt.h"
-#include "cli/messages.h"
 #include "cli/version.h"
+#include "run/exit_status.h"
+#include "run/interrupt.h"
+#include "run/messages.h"
+#include "run/user_error.h"
 
 namespace truelux {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "truelux/io.h"
 
-#include "cli/messages.h"
-#include "report/csv.h"
+#include "run/user_error.h"
+#include "text/csv.h"
 
 namespace truelux {
 

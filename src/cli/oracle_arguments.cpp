@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "cli/option_values.h"
-#include "cli/parallel.h"
-#include "report/results.h"
+#include "run/parallel.h"
+#include "text/results.h"
 
 namespace truelux {
 

@@ -7,9 +7,9 @@
 #include <unistd.h>
 #include <vector>
 
-#include "cli/file_id.h"
-#include "cli/messages.h"
-#include "cli/output_file.h"
+#include "run/file_id.h"
+#include "run/output_file.h"
+#include "run/user_error.h"
 
 namespace truelux {
 namespace {

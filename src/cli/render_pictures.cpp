@@ -10,18 +10,18 @@
 #include <span>
 #include <vector>
 
-#include "cli/messages.h"
 #include "cli/version.h"
-#include "report/exr_image.h"
-#include "report/false_colour.h"
-#include "report/image_legend.h"
-#include "report/isolux.h"
-#include "report/number_text.h"
-#include "report/png_image.h"
-#include "report/results.h"
-#include "report/scalar_channel.h"
-#include "report/shadow_class.h"
-#include "report/tone.h"
+#include "explain/shadow_class.h"
+#include "image/exr_image.h"
+#include "image/false_colour.h"
+#include "image/image_legend.h"
+#include "image/isolux.h"
+#include "image/png_image.h"
+#include "image/scalar_channel.h"
+#include "image/tone.h"
+#include "run/messages.h"
+#include "text/number_text.h"
+#include "text/results.h"
 
 namespace truelux {
 namespace {

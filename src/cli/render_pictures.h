@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "cli/render_pixels.h"
 #include "cli/render_request.h"
+#include "image/render_pixels.h"
 
 namespace truelux {
 

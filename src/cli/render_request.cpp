@@ -10,9 +10,9 @@
 
 #include "truelux/io.h"
 
-#include "cli/messages.h"
 #include "cli/option_values.h"
 #include "cli/oracle_arguments.h"
+#include "run/user_error.h"
 
 namespace truelux {
 namespace {

@@ -11,8 +11,8 @@
 #include "truelux/irradiance.h"
 
 #include "cli/output_paths.h"
-#include "report/camera_frame.h"
-#include "report/scalar_channel.h"
+#include "image/camera_frame.h"
+#include "image/scalar_channel.h"
 
 namespace truelux {
 

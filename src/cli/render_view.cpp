@@ -9,12 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "cli/messages.h"
-#include "report/camera_frame.h"
-#include "report/camera_pixels.h"
-#include "report/edge_text.h"
-#include "report/surface_frame.h"
-#include "report/surface_pixels.h"
+#include "explain/edge_text.h"
+#include "image/camera_frame.h"
+#include "image/camera_pixels.h"
+#include "image/surface_frame.h"
+#include "image/surface_pixels.h"
+#include "run/messages.h"
+#include "run/user_error.h"
 #include "scene/group_selection.h"
 
 namespace truelux {

@@ -8,7 +8,7 @@
 #include "truelux/scene.h"
 
 #include "cli/render_request.h"
-#include "report/pixel_receivers.h"
+#include "image/pixel_receivers.h"
 
 namespace truelux {
 

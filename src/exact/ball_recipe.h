@@ -5,7 +5,7 @@
 
 #include "exact/ball.h"
 #include "exact/ball_vector.h"
-#include "exact/recipe.h"
+#include "exact/recipe_evaluator.h"
 
 namespace truelux {
 

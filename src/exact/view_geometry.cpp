@@ -4,6 +4,8 @@
 #include <bit>
 #include <utility>
 
+#include "exact/recipe_evaluator.h"
+
 namespace truelux {
 
 std::vector<FilteredPlane> FilteredTriangleNormals(

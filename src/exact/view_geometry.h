@@ -21,7 +21,7 @@
 #include "exact/crossing.h"
 #include "exact/filter.h"
 #include "exact/plane_bundle.h"
-#include "exact/recipe.h"
+#include "exact/recipe_evaluator.h"
 #include "exact/sign.h"
 
 namespace truelux {

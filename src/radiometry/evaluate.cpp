@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "radiometry/evaluate_weighted.h"
 #include "radiometry/evaluation_workspace.h"
 #include "radiometry/weighted_contour.h"
 

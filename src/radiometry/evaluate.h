@@ -7,25 +7,12 @@
 
 #include "truelux/irradiance.h"
 
+#include "radiometry/evaluation_query.h"
 #include "visibility/contour.h"
 
 namespace truelux {
 
 struct EvaluationWorkspace;
-
-/// How a contour is evaluated.
-struct EvaluationQuery {
-  Method method = Method::kCertified;
-  Emission emission = Emission::kExitance;
-  Formula formula = Formula::kAuto;
-  double half_side = 0x1p20;  ///< as OracleOptions::half_side
-};
-
-/// Whether a certified sum goes over the vertices of the contour; else it goes
-/// over the arcs.
-inline bool SumsOverVertices(Formula formula) {
-  return formula == Formula::kHomogeneous || formula == Formula::kUnified;
-}
 
 /// Whether a bound of Method::kDouble is so large beside its value that it is
 /// worth choosing another formula for each source.

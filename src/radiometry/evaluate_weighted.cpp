@@ -1,16 +1,18 @@
 // The stages in order: double or double-double with a running bound, then
 // MPFR with growing precision.
 
+#include "radiometry/evaluate_weighted.h"
+
 #include <cmath>
 #include <limits>
 
 #include "exact/ball.h"
-#include "radiometry/ball_stage.h"
 #include "radiometry/evaluation_workspace.h"
-#include "radiometry/multiprecision_answer.h"
-#include "radiometry/multiprecision_stage.h"
 #include "radiometry/named_formula.h"
-#include "radiometry/rounding.h"
+#include "radiometry/stages/ball_stage.h"
+#include "radiometry/stages/multiprecision_answer.h"
+#include "radiometry/stages/multiprecision_stage.h"
+#include "radiometry/stages/rounding.h"
 #include "radiometry/weighted_contour.h"
 
 namespace truelux {

@@ -7,7 +7,7 @@
 
 #include "truelux/geometry.h"
 
-#include "radiometry/ball_geometry.h"
+#include "radiometry/stages/ball_geometry.h"
 
 namespace truelux {
 

@@ -6,7 +6,8 @@
 #include <type_traits>
 
 #include "exact/ball_recipe.h"
-#include "radiometry/ball_geometry.h"
+#include "exact/recipe_evaluator.h"
+#include "radiometry/stages/ball_geometry.h"
 
 namespace truelux {
 namespace {
@@ -145,11 +146,11 @@ void LoadVectors(const WeightedContour& contour, mpfr_prec_t precision,
     const RecipeEvaluator<Exact> exact(contour.view);
     for (const DirectionRecipe& d : c.directions) {
       directions.push_back(Normalized(Rounded(
-          exact.Direction(d, c.planes, c.explicit_vectors), precision)));
+          exact.Direction(d, c.planes, c.explicit_vectors.All()), precision)));
     }
     for (const PlaneRecipe& p : c.planes) {
-      planes.push_back(
-          Normalized(Rounded(exact.Plane(p, c.explicit_vectors), precision)));
+      planes.push_back(Normalized(
+          Rounded(exact.Plane(p, c.explicit_vectors.All()), precision)));
     }
   } else {
     BallGeometry<DoubleDouble> geometry;
@@ -273,7 +274,7 @@ void FrameGeometry<W>::FindHorizon() {
       }
     }
     const Vec3<Exact> d =
-        exact.Direction(c.directions[i], c.planes, c.explicit_vectors);
+        exact.Direction(c.directions[i], c.planes, c.explicit_vectors.All());
     on_horizon_.push_back(Dot(exact.ReceiverNormal(), d).is_zero());
   }
 }
@@ -379,7 +380,7 @@ W FrameGeometry<W>::UnitDeterminant(int a, int b, int c) const {
   std::array<Vec3<Exact>, 3> d;
   for (std::size_t k = 0; k < 3; ++k) {
     d[k] = exact.Direction(contour.directions[ends[k]], contour.planes,
-                           contour.explicit_vectors);
+                           contour.explicit_vectors.All());
   }
   const mpfr_prec_t precision =
       std::is_same_v<W, Multiprecision> ? precision_ : kConversionBits;

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "radiometry/channel_sums.h"
 #include "radiometry/formula_evaluation.h"
+#include "radiometry/stages/channel_sums.h"
 
 namespace truelux {
 namespace {

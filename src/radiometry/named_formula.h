@@ -6,6 +6,7 @@
 #include <array>
 
 #include "exact/ball.h"
+#include "radiometry/evaluation_query.h"
 #include "radiometry/weighted_contour.h"
 
 namespace truelux {

@@ -12,14 +12,14 @@
 
 #include "truelux/irradiance.h"
 
-#include "exact/pool.h"
+#include "base/pool.h"
 #include "radiometry/evaluate.h"
 #include "radiometry/evaluation_workspace.h"
 #include "radiometry/formula_sum.h"
-#include "radiometry/span_sum.h"
-#include "visibility/angular_spans.h"
-#include "visibility/arrangement_engine.h"
-#include "visibility/contour_engine.h"
+#include "radiometry/stages/span_sum.h"
+#include "visibility/arrangement/angular_spans.h"
+#include "visibility/arrangement/arrangement_engine.h"
+#include "visibility/edges/contour_engine.h"
 #include "visibility/visible_contour.h"
 
 namespace truelux {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exact/ball_recipe.h"
+#include "exact/recipe_evaluator.h"
 
 namespace truelux {
 namespace {
@@ -107,7 +108,7 @@ class Cutter {
     for (std::size_t i = 0; i < contour_.directions.size(); ++i) {
       const B height =
           Dot(n, rounded.Direction(contour_.directions[i], contour_.planes,
-                                   contour_.explicit_vectors));
+                                   contour_.explicit_vectors.All()));
       int side = std::fabs(height.value) > height.error
                      ? (height.value > 0 ? 1 : -1)
                      : 0;
@@ -161,12 +162,11 @@ class Cutter {
   [[nodiscard]] Vec3<Exact> Direction(int i) const {
     return RecipeEvaluator<Exact>(view_).Direction(
         contour_.directions[static_cast<std::size_t>(i)], contour_.planes,
-        contour_.explicit_vectors);
+        contour_.explicit_vectors.All());
   }
 
   int AddExplicit(Vec3<Exact> v) {
-    contour_.explicit_vectors.push_back(std::move(v));
-    return static_cast<int>(contour_.explicit_vectors.size()) - 1;
+    return contour_.explicit_vectors.Add(std::move(v));
   }
 
   int AddPlane(const Vec3<Exact>& normal) {

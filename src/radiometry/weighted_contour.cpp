@@ -1,6 +1,7 @@
 #include "radiometry/weighted_contour.h"
 
 #include "exact/ball_recipe.h"
+#include "exact/recipe_evaluator.h"
 
 namespace truelux {
 namespace {
@@ -12,7 +13,7 @@ bool MayBeZero(const Ball<double>& x) {
 
 bool IsParallel(const WeightedContour& contour, const PlaneRecipe& plane) {
   if (plane.kind == PlaneRecipe::Kind::kHorizon) return true;
-  const auto& explicit_vectors = contour.contour.explicit_vectors;
+  const auto explicit_vectors = contour.contour.explicit_vectors.All();
   const RecipeEvaluator<Ball<double>> rounded(contour.view);
   const Vec3<Ball<double>> w =
       Cross(rounded.ReceiverNormal(), rounded.Plane(plane, explicit_vectors));

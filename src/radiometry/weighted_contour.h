@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "truelux/geometry.h"
-#include "truelux/irradiance.h"
 
-#include "radiometry/evaluate.h"
 #include "visibility/contour.h"
 
 namespace truelux {
@@ -42,16 +40,6 @@ struct WeightedContour {
 /// For each plane of the contour whether it is exactly the receiver plane,
 /// N x n = 0. Such arcs have a row of their own in Figure 11.
 std::vector<bool> PlanesOnHorizon(const WeightedContour& contour);
-
-/// evaluate.h, on an input that needs no scene. Of the workspace, `weights`
-/// is not used.
-Irradiance EvaluateWeighted(const WeightedContour& contour,
-                            const EvaluationQuery& evaluation,
-                            EvaluationWorkspace& workspace);
-
-/// The same with a workspace of its own.
-Irradiance EvaluateWeighted(const WeightedContour& contour,
-                            const EvaluationQuery& evaluation);
 
 }  // namespace truelux
 

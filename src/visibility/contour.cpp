@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "exact/recipe_evaluator.h"
+
 namespace truelux {
 namespace {
 

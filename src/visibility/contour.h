@@ -17,6 +17,7 @@
 #include "truelux/scene.h"
 #include "truelux/statistics.h"
 
+#include "exact/explicit_vectors.h"
 #include "exact/recipe.h"
 
 namespace truelux {
@@ -43,7 +44,7 @@ struct SourceArcs {
 struct Contour {
   std::vector<PlaneRecipe> planes;
   std::vector<DirectionRecipe> directions;
-  std::vector<Vec3<Exact>> explicit_vectors;
+  ExplicitVectors explicit_vectors;
   std::vector<Arc> arcs;
   std::vector<SourceArcs> sources;
   /// Arcs between sources that emit the same were left out: only the sum over

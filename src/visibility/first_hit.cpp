@@ -12,8 +12,8 @@
 #include "exact/rational.h"
 #include "exact/sign.h"
 #include "exact/vec3.h"
+#include "scene/index/ray_boxes.h"
 #include "scene/newell.h"
-#include "scene/ray_boxes.h"
 
 namespace truelux {
 namespace {

@@ -9,7 +9,7 @@
 #include "truelux/geometry.h"
 #include "truelux/scene.h"
 
-#include "scene/triangle_tree.h"
+#include "scene/index/triangle_tree.h"
 
 namespace truelux {
 

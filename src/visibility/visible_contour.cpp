@@ -5,9 +5,10 @@
 #include <utility>
 
 #include "exact/primitive.h"
+#include "exact/recipe_evaluator.h"
 #include "visibility/arc_cleanup.h"
 #include "visibility/coincidence.h"
-#include "visibility/view_edges.h"
+#include "visibility/view/view_edges.h"
 
 namespace truelux {
 namespace {
@@ -54,7 +55,7 @@ class Describer {
       described.edge_face = arc.edge_face;
       const Vec3<Exact> normal =
           evaluator_.Plane(contour_.planes[static_cast<std::size_t>(arc.plane)],
-                           contour_.explicit_vectors);
+                           contour_.explicit_vectors.All());
       const PrimitiveVector plane =
           MakePrimitive(arc.positive ? normal : -normal);
       described.plane_normal = ToDouble(plane);
@@ -101,7 +102,7 @@ class Describer {
   int VertexOf(int direction, const ViewEdges& edges) {
     const Vec3<Exact> d = evaluator_.Direction(
         contour_.directions[static_cast<std::size_t>(direction)],
-        contour_.planes, contour_.explicit_vectors);
+        contour_.planes, contour_.explicit_vectors.All());
     const auto [entry, is_new] = index_.try_emplace(
         MakePrimitive(d), static_cast<int>(result_.vertices.size()));
     const auto index = static_cast<std::size_t>(entry->second);

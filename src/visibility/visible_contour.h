@@ -10,7 +10,7 @@
 #include "truelux/visibility.h"
 
 #include "visibility/contour.h"
-#include "visibility/seen_edge.h"
+#include "visibility/view/seen_edge.h"
 
 namespace truelux {
 

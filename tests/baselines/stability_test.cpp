@@ -17,7 +17,7 @@
 #include "truelux/io.h"
 
 #include "baselines/stability_study.h"
-#include "report/quantile.h"
+#include "text/quantile.h"
 
 namespace truelux::testing {
 namespace {

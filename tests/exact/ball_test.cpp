@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/ball_recipe.h"
+#include "exact/recipe_evaluator.h"
 #include "support/portable_random.h"
 #include "support/real.h"
 

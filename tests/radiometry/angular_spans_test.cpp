@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "radiometry/span_sum.h"
+#include "radiometry/stages/span_sum.h"
 #include "support/portable_random.h"
 #include "support/random_scene.h"
 #include "support/scenes.h"

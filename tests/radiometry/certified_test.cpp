@@ -190,7 +190,7 @@ TEST(Certified, LengthOfExplicitVectorsDoesNotMatter) {
     HandContour contour(view.position, view.normal);
     contour.AddConvexPolygon(view.ring, {1, 1, 1}, Ends::kExplicit);
     const Exact cube = Exact(factor) * Exact(factor) * Exact(factor);
-    for (Vec3<Exact>& v : contour.contour().explicit_vectors)
+    for (Vec3<Exact>& v : contour.contour().explicit_vectors.All())
       v = cube * v;
     for (const Formula formula : {Formula::kAuto, Formula::kUnified}) {
       const Irradiance result = contour.Evaluate(Certified(formula));

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "radiometry/evaluate_weighted.h"
 #include "radiometry/hand_contour.h"
 #include "support/real.h"
 

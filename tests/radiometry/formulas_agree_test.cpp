@@ -14,7 +14,7 @@
 
 #include "radiometry/formula_evaluation.h"
 #include "support/case_files.h"
-#include "visibility/contour_engine.h"
+#include "visibility/edges/contour_engine.h"
 
 namespace truelux::testing {
 namespace {

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "exact/recipe_evaluator.h"
+
 namespace truelux::testing {
 namespace {
 
@@ -32,14 +34,14 @@ int HandContour::AddDirection(const DirectionRecipe& direction) {
 }
 
 Vec3<Exact> HandContour::DirectionOf(int i) const {
-  return RecipeEvaluator<Exact>(View()).Direction(contour_.directions[Index(i)],
-                                                  contour_.planes,
-                                                  contour_.explicit_vectors);
+  return RecipeEvaluator<Exact>(View()).Direction(
+      contour_.directions[Index(i)], contour_.planes,
+      contour_.explicit_vectors.All());
 }
 
 Vec3<Exact> HandContour::PlaneOf(int i) const {
   return RecipeEvaluator<Exact>(View()).Plane(contour_.planes[Index(i)],
-                                              contour_.explicit_vectors);
+                                              contour_.explicit_vectors.All());
 }
 
 Exact HandContour::SideOf(int plane, const Vec3<Exact>& d) const {
@@ -168,8 +170,7 @@ void HandContour::Rewrite(std::vector<Side>& sides, Ends ends) {
   }
   for (Side& side : sides) {
     const auto explicit_of = [&](const Vec3<Exact>& v) {
-      contour_.explicit_vectors.push_back(v);
-      return static_cast<int>(contour_.explicit_vectors.size()) - 1;
+      return contour_.explicit_vectors.Add(v);
     };
     PlaneRecipe plane;
     plane.kind = PlaneRecipe::Kind::kExplicit;

@@ -7,6 +7,7 @@
 
 #include "truelux/geometry.h"
 
+#include "radiometry/evaluate_weighted.h"
 #include "radiometry/weighted_contour.h"
 
 namespace truelux::testing {

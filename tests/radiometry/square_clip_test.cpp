@@ -12,7 +12,7 @@
 #include "radiometry/random_polygons.h"
 #include "support/random_scene.h"
 #include "support/scenes.h"
-#include "visibility/contour_engine.h"
+#include "visibility/edges/contour_engine.h"
 
 namespace truelux::testing {
 namespace {

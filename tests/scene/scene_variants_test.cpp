@@ -1,4 +1,3 @@
-#include "scene/emitters.h"
 #include "scene/scene_variants.h"
 
 #include <algorithm>
@@ -6,6 +5,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "scene/emitters.h"
 
 namespace truelux {
 namespace {

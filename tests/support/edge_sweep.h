@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "visibility/coverage.h"
+#include "visibility/edges/coverage.h"
 
 namespace truelux::testing {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "support/edge_sweep.h"
-#include "visibility/cone.h"
-#include "visibility/contour_writer.h"
-#include "visibility/coverage.h"
+#include "visibility/edges/cone.h"
+#include "visibility/edges/contour_writer.h"
+#include "visibility/edges/coverage.h"
 
 namespace truelux::testing {
 namespace {

@@ -13,7 +13,7 @@
 #include "truelux/diagnostics.h"
 #include "truelux/scene.h"
 
-#include "scene/read_scene.h"
+#include "scene/io/read_scene.h"
 
 namespace truelux {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "visibility/whole_view.h"
+#include "visibility/view/whole_view.h"
 
 namespace truelux::testing {
 

@@ -1,0 +1,162 @@
+#include "compare/candidates.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fmt/format.h>
+#include <limits>
+#include <utility>
+
+#include "truelux/io.h"
+
+#include "scene/io/quoted.h"
+
+namespace truelux {
+namespace {
+
+constexpr std::array<std::string_view, 3> kChannelNames = {"r", "g", "b"};
+
+/// A number as programs print it, also where they have none.
+std::optional<double> ParseValue(std::string_view text) {
+  const std::string_view trimmed = TrimBlanks(text);
+  if (const auto number = ParseNumber(trimmed)) return number;
+  std::string word;
+  for (const char c : trimmed)
+    word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const bool negative = word.starts_with('-');
+  if (negative || word.starts_with('+')) word.erase(0, 1);
+  if (word == "nan") return std::numeric_limits<double>::quiet_NaN();
+  if (word != "inf" && word != "infinity") return std::nullopt;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return negative ? -kInfinity : kInfinity;
+}
+
+std::string ColumnOf(std::size_t channel) {
+  return fmt::format("E_{}", kChannelNames[channel]);
+}
+
+}  // namespace
+
+std::string_view ChannelName(std::size_t channel) {
+  return kChannelNames[channel];
+}
+
+CandidateReader::CandidateReader(ByteSource& source,
+                                 const std::string& file_name,
+                                 const CandidateRules& rules)
+    : csv_(source, file_name), columns_(rules.face_count), rules_(rules) {}
+
+bool CandidateReader::ReadHeader(std::vector<Diagnostic>& defects) {
+  const std::size_t defects_before = defects.size();
+  if (!ReadHeaderRecord(csv_, record_, defects)) return false;
+  columns_.Find(csv_, record_, defects);
+  FindValues(defects);
+  return defects.size() == defects_before;
+}
+
+void CandidateReader::FindValues(std::vector<Diagnostic>& defects) {
+  const ColumnNames names(csv_, record_);
+  if (rules_.quantity == Quantity::kFormFactor) {
+    FindFormFactor(names, defects);
+  } else {
+    FindIrradiance(names, defects);
+  }
+}
+
+void CandidateReader::FindFormFactor(const ColumnNames& names,
+                                     std::vector<Diagnostic>& defects) {
+  if (const auto column = names.Find("F", defects)) {
+    UseColumn(0, *column, "F");
+    return;
+  }
+  defects.push_back(
+      csv_.Error(record_.line(0),
+                 "the header lacks the column F; --quantity form-factor "
+                 "expects the candidate's form factors there"));
+}
+
+void CandidateReader::FindIrradiance(const ColumnNames& names,
+                                     std::vector<Diagnostic>& defects) {
+  const auto error = [&](std::size_t column, std::string message) {
+    defects.push_back(csv_.Error(record_.line(column), std::move(message)));
+  };
+  const std::optional<std::size_t> single = names.Find("E", defects);
+  std::vector<std::size_t> wanted = {0, 1, 2};
+  if (rules_.channel) wanted = {*rules_.channel};
+  std::vector<std::string> missing;
+  bool any = false;
+  for (std::size_t channel = 0; channel < kChannelNames.size(); ++channel) {
+    const auto column = names.Find(ColumnOf(channel), defects);
+    any = any || column;
+    if (std::ranges::find(wanted, channel) == wanted.end()) continue;
+    if (column) {
+      UseColumn(channel, *column, ColumnOf(channel));
+    } else {
+      missing.push_back(ColumnOf(channel));
+    }
+  }
+  if (single && any) {
+    error(*single,
+          "both column 'E' and a column E_r, E_g or E_b; expected one of them");
+  } else if (single) {
+    if (!rules_.channel && !rules_.is_grey) {
+      error(*single,
+            "column 'E' could be any channel, and the scene's differ; say "
+            "which by --channel r, g or b, or give E_r,E_g,E_b");
+    }
+    UseColumn(rules_.channel.value_or(0), *single, "E");
+  } else if (!any && names.Find("F", defects)) {
+    error(0,
+          "column 'F' but no E: form factors are compared by --quantity "
+          "form-factor");
+  } else if (!missing.empty()) {
+    error(0, fmt::format("the header lacks the column{} {}; expected the "
+                         "candidate's E_r,E_g,E_b, or one column E",
+                         missing.size() == 1 ? "" : "s",
+                         fmt::join(missing, ", ")));
+  }
+}
+
+void CandidateReader::UseColumn(std::size_t channel, std::size_t column,
+                                std::string name) {
+  channels_.push_back(channel);
+  value_columns_.push_back(column);
+  value_names_.push_back(std::move(name));
+}
+
+CandidateReader::Status CandidateReader::Next(
+    CandidateRow& row, std::vector<Diagnostic>& defects) {
+  Diagnostic defect;
+  switch (csv_.Next(record_, defect)) {
+    case CsvReader::Status::kDefect:
+      defects.push_back(std::move(defect));
+      return Status::kDefect;
+    case CsvReader::Status::kEnd:
+      return Status::kEnd;
+    case CsvReader::Status::kRecord:
+      break;
+  }
+  const std::size_t defects_before = defects.size();
+  const std::optional<Receiver> receiver =
+      columns_.Parse(csv_, record_, defects);
+  if (!columns_.HasAllFields(record_)) return Status::kDefect;
+  row.values = {};
+  for (std::size_t i = 0; i < value_columns_.size(); ++i) {
+    const std::string text = record_.Value(value_columns_[i]);
+    const std::optional<double> value = ParseValue(text);
+    if (!value) {
+      defects.push_back(csv_.Error(
+          record_.line(value_columns_[i]),
+          fmt::format("{}: {} is not a number; expected a decimal number in "
+                      "the range of binary64, inf or nan",
+                      value_names_[i], Quoted(text))));
+    }
+    row.values[i] = value.value_or(0);
+  }
+  if (defects.size() != defects_before) return Status::kDefect;
+  row.receiver = *receiver;
+  row.line = record_.line(0);
+  return Status::kRow;
+}
+
+}  // namespace truelux

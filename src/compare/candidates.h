@@ -1,0 +1,98 @@
+// A candidate: receivers and what another program says about them.
+
+#ifndef TRUELUX_COMPARE_CANDIDATES_H_
+#define TRUELUX_COMPARE_CANDIDATES_H_
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "truelux/diagnostics.h"
+#include "truelux/geometry.h"
+#include "truelux/receiver.h"
+
+#include "text/byte_source.h"
+#include "text/csv.h"
+#include "text/receiver_columns.h"
+
+namespace truelux {
+
+/// What a candidate's numbers are.
+enum class Quantity {
+  kIrradiance,  ///< E [W/m^2]: columns E_r, E_g, E_b, or one column E
+  kFormFactor,  ///< F [1]: one column F, E with M = 1 on every face that emits
+};
+
+/// "r", "g", "b".
+[[nodiscard]] std::string_view ChannelName(std::size_t channel);
+
+/// What is asked about a candidate, and what its scene allows.
+struct CandidateRules {
+  Quantity quantity = Quantity::kIrradiance;
+  /// The only channel that is compared, if one is named.
+  std::optional<std::size_t> channel{};
+  /// All faces of the scene emit the same in red, green and blue, so that a
+  /// column E needs no channel.
+  bool is_grey = false;
+  int face_count = 0;  ///< of the scene: the largest on_face
+};
+
+/// One receiver of a candidate.
+struct CandidateRow {
+  Receiver receiver;
+  Rgb values{};  ///< entry c for CandidateReader::channels()[c], others 0
+  int line = 0;  ///< on which it begins in the table, from 1
+};
+
+/// Reads a candidate: the columns of a receivers table and those of the
+/// values; all others, bound_* among them, are ignored. Values are decimal
+/// numbers, or inf, infinity or nan with any sign and in any case.
+class CandidateReader {
+ public:
+  enum class Status { kRow, kDefect, kEnd };
+
+  /// source must outlive the reader.
+  CandidateReader(ByteSource& source, const std::string& file_name,
+                  const CandidateRules& rules);
+
+  /// Reads the header; must be called once, first. False, and entries in
+  /// `defects`, if a column is missing or stands twice, or if the columns do
+  /// not say which values are meant.
+  bool ReadHeader(std::vector<Diagnostic>& defects);
+
+  /// The channels that are compared, from 0; only the first if the quantity is
+  /// kFormFactor, or if a column E holds what is the same for all.
+  [[nodiscard]] const std::vector<std::size_t>& channels() const {
+    return channels_;
+  }
+
+  /// The names of the columns with the values, one per channel.
+  [[nodiscard]] const std::vector<std::string>& value_names() const {
+    return value_names_;
+  }
+
+  /// Reads the next row. May be called again after a defect.
+  Status Next(CandidateRow& row, std::vector<Diagnostic>& defects);
+
+ private:
+  void FindValues(std::vector<Diagnostic>& defects);
+  void FindFormFactor(const ColumnNames& names,
+                      std::vector<Diagnostic>& defects);
+  void FindIrradiance(const ColumnNames& names,
+                      std::vector<Diagnostic>& defects);
+  void UseColumn(std::size_t channel, std::size_t column, std::string name);
+
+  CsvReader csv_;
+  CsvRecord record_;
+  ReceiverColumns columns_;
+  CandidateRules rules_;
+  std::vector<std::size_t> channels_;
+  std::vector<std::string> value_names_;
+  std::vector<std::size_t> value_columns_;
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_COMPARE_CANDIDATES_H_

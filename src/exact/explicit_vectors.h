@@ -1,0 +1,57 @@
+// Exact vectors that no recipe describes, for headers that do not need CGAL.
+
+#ifndef TRUELUX_EXACT_EXPLICIT_VECTORS_H_
+#define TRUELUX_EXACT_EXPLICIT_VECTORS_H_
+
+#include <initializer_list>
+#include <memory>
+#include <span>
+
+namespace CGAL {
+struct Mpzf;
+}  // namespace CGAL
+
+namespace truelux {
+
+using Exact = CGAL::Mpzf;  // as in number.h, which has its definition
+
+template <class T>
+struct Vec3;
+
+/// The vectors that PlaneRecipe::Kind::kExplicit and
+/// DirectionRecipe::Kind::kExplicit refer to. Including this header does not
+/// include CGAL; using the vectors needs number.h and vec3.h.
+class ExplicitVectors {
+ public:
+  ExplicitVectors();
+  ExplicitVectors(std::initializer_list<Vec3<Exact>> vectors);
+  ExplicitVectors(const ExplicitVectors& other);
+  ExplicitVectors(ExplicitVectors&& other) noexcept;
+  ExplicitVectors& operator=(const ExplicitVectors& other);
+  ExplicitVectors& operator=(ExplicitVectors&& other) noexcept;
+  ~ExplicitVectors();
+
+  /// Appends a vector and returns its index.
+  int Add(Vec3<Exact> vector);
+
+  /// Removes all vectors and keeps the memory.
+  void Clear();
+
+  [[nodiscard]] Vec3<Exact>& operator[](int index);
+  [[nodiscard]] const Vec3<Exact>& operator[](int index) const;
+
+  /// All vectors; valid until the next Add, Clear or assignment.
+  [[nodiscard]] std::span<const Vec3<Exact>> All() const;
+  [[nodiscard]] std::span<Vec3<Exact>> All();
+
+ private:
+  struct Storage;
+
+  [[nodiscard]] Storage& Stored();
+
+  std::unique_ptr<Storage> storage_;  ///< made by the first Add
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_EXACT_EXPLICIT_VECTORS_H_

@@ -1,0 +1,297 @@
+#include "explain/receiver_reason.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <fmt/format.h>
+#include <map>
+#include <numbers>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "exact/number.h"
+#include "exact/sign.h"
+#include "exact/vec3.h"
+#include "text/number_text.h"
+
+namespace truelux {
+namespace {
+
+using Vec = Vec3<double>;
+
+Vec ToVec(const Vector3& v) {
+  return {v.x, v.y, v.z};
+}
+
+double Length(const Vec& v) {
+  return std::hypot(v.x, v.y, v.z);
+}
+
+/// Of length 1; first divided by the largest component, for normals of any
+/// length.
+Vec Unit(const Vec& v) {
+  const double largest =
+      std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (largest == 0) return v;
+  const Vec scaled{v.x / largest, v.y / largest, v.z / largest};
+  return 1 / Length(scaled) * scaled;
+}
+
+Vec Sum(const Vec& a, const Vec& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+/// The angle between two directions.
+double Angle(const Vec& a, const Vec& b) {
+  return std::atan2(Length(Cross(a, b)), Dot(a, b));
+}
+
+/// What is visible of one source.
+struct Part {
+  Vec vector_irradiance{0, 0, 0};
+  double perimeter = 0;
+  std::set<int> vertices;  ///< indices into VisibleContour::vertices
+};
+
+/// The scene vertices of a face.
+std::set<int> VerticesOfFace(const Scene& scene, int face_number) {
+  const Face& face = scene.faces()[static_cast<std::size_t>(face_number - 1)];
+  std::set<int> vertices;
+  for (const Facet& facet :
+       scene.facets().subspan(static_cast<std::size_t>(face.first_facet),
+                              static_cast<std::size_t>(face.facet_count))) {
+    for (const Triangle& triangle : scene.triangles().subspan(
+             static_cast<std::size_t>(facet.first_triangle),
+             static_cast<std::size_t>(facet.triangle_count)))
+      vertices.insert(triangle.vertices.begin(), triangle.vertices.end());
+  }
+  return vertices;
+}
+
+/// Gathers the facts of one contour.
+class Reader {
+ public:
+  Reader(const Scene& scene, const Receiver& receiver,
+         const VisibleContour& contour)
+      : scene_(scene),
+        receiver_(receiver),
+        contour_(contour),
+        normal_(Unit(ToVec(receiver.normal))) {
+    for (const ContourVertex& vertex : contour.vertices)
+      directions_.push_back(Unit(ToVec(vertex.direction)));
+  }
+
+  ReceiverTraits Read() {
+    if (contour_.arcs.empty()) {
+      if (contour_.statistics.sources > 0) traits_.lighting = Lighting::kUmbra;
+      return traits_;
+    }
+    traits_.lighting = Lighting::kFullyLit;
+    traits_.arcs = static_cast<int>(contour_.arcs.size());
+    traits_.shortest_arc = 2 * std::numbers::pi;
+    for (const ContourArc& arc : contour_.arcs)
+      ReadArc(arc);
+    traits_.sources = static_cast<int>(parts_.size());
+    if (term_sizes_ > 0) {
+      traits_.cancellation =
+          term_sizes_ / std::max(std::abs(term_sum_), kRounding * term_sizes_);
+    }
+    ReadVertices();
+    ReadMainSource();
+    return traits_;
+  }
+
+ private:
+  [[nodiscard]] const Vec& Direction(int vertex) const {
+    return directions_[static_cast<std::size_t>(vertex)];
+  }
+
+  void ReadArc(const ContourArc& arc) {
+    const double angle = Angle(Direction(arc.from), Direction(arc.to));
+    const Vec term = angle / 2 * Unit(ToVec(arc.plane_normal));
+    term_sum_ += Dot(normal_, term);
+    term_sizes_ += std::abs(Dot(normal_, term));
+    Part& part = parts_[arc.source];
+    part.vector_irradiance = Sum(part.vector_irradiance, term);
+    part.perimeter += angle;
+    part.vertices.insert({arc.from, arc.to});
+    traits_.shortest_arc = std::min(traits_.shortest_arc, angle);
+    if (arc.edge_face == 0) {
+      ++traits_.horizon_arcs;
+    } else if (!IsOutline(arc)) {
+      traits_.lighting = Lighting::kPenumbra;
+    }
+  }
+
+  /// Whether an arc lies on the outline of its own source. Where faces share
+  /// an edge, the arc may be said to lie on the other one's.
+  bool IsOutline(const ContourArc& arc) {
+    if (arc.edge_face == arc.source) return true;
+    auto& own = outlines_[arc.source];
+    if (own.empty()) own = VerticesOfFace(scene_, arc.source);
+    const auto is_own = [&](int index) {
+      const ContourVertex& vertex =
+          contour_.vertices[static_cast<std::size_t>(index)];
+      return own.contains(vertex.vertex);
+    };
+    return is_own(arc.from) && is_own(arc.to);
+  }
+
+  void ReadVertices() {
+    for (std::size_t i = 0; i < contour_.vertices.size(); ++i) {
+      const ContourVertex& vertex = contour_.vertices[i];
+      if (vertex.conjunctive) {
+        ++traits_.conjunctions;
+        traits_.most_planes = std::max(traits_.most_planes, vertex.planes);
+      }
+      const double height = Height(i);
+      traits_.highest = std::max(traits_.highest, height);
+      if (IsOnHorizon(scene_, receiver_, vertex)) continue;
+      traits_.lowest = std::min(traits_.lowest.value_or(height), height);
+    }
+  }
+
+  /// Above the horizon; of scene vertices from their coordinates, which are
+  /// exact, while directions are rounded.
+  [[nodiscard]] double Height(std::size_t index) const {
+    const int vertex = contour_.vertices[index].vertex;
+    Vec direction = directions_[index];
+    if (vertex >= 0) {
+      const Point3& v = scene_.vertices()[static_cast<std::size_t>(vertex)];
+      const Point3& r = receiver_.position;
+      direction = Unit({v.x - r.x, v.y - r.y, v.z - r.z});
+    }
+    const double sine = Dot(normal_, direction);
+    return std::max(0.0, std::atan2(sine, Length(Cross(normal_, direction))));
+  }
+
+  void ReadMainSource() {
+    const Part* main = nullptr;
+    double largest = -1;
+    for (const auto& [source, part] : parts_) {
+      const double size = Length(part.vector_irradiance);
+      if (size <= largest) continue;
+      largest = size;
+      main = &part;
+    }
+    Vec mean{0, 0, 0};
+    for (const int vertex : main->vertices)
+      mean = Sum(mean, Direction(vertex));
+    for (const int vertex : main->vertices)
+      traits_.extent =
+          std::max(traits_.extent, 2 * Angle(mean, Direction(vertex)));
+    if (main->perimeter > 0) traits_.width = 2 * largest / main->perimeter;
+  }
+
+  const Scene& scene_;
+  const Receiver& receiver_;
+  const VisibleContour& contour_;
+  Vec normal_;
+  ReceiverTraits traits_;
+  std::vector<Vec> directions_;  ///< of the vertices, of length 1
+  std::map<int, Part> parts_;    ///< by the number of the source
+  std::map<int, std::set<int>> outlines_;
+  double term_sum_ = 0;    ///< of the terms of Lambert's formula
+  double term_sizes_ = 0;  ///< of their absolute values
+};
+
+std::string SeenText(const ReceiverTraits& traits) {
+  std::string text(Name(traits.lighting));
+  if (!IsLit(traits)) return text;
+  if (traits.sources > 1) text += fmt::format(", {} sources", traits.sources);
+  text += fmt::format(", {} arc{}", traits.arcs, traits.arcs == 1 ? "" : "s");
+  if (traits.horizon_arcs > 0)
+    text += fmt::format(" ({} on the horizon)", traits.horizon_arcs);
+  return text;
+}
+
+std::vector<std::string> Difficulties(const ReceiverTraits& traits) {
+  const auto number = [](double value) {
+    return value < kRounding ? "under " + ScientificText(kRounding, 0)
+                             : ScientificText(value, 0);
+  };
+  std::vector<std::string> texts;
+  if (!IsLit(traits)) return texts;
+  if (traits.conjunctions == 1) {
+    texts.push_back(fmt::format("conjunction ({} planes)", traits.most_planes));
+  } else if (traits.conjunctions > 1) {
+    texts.push_back(fmt::format("{} conjunctions (up to {} planes)",
+                                traits.conjunctions, traits.most_planes));
+  }
+  if (traits.highest < kGrazingHighest) {
+    texts.push_back(
+        fmt::format("grazing (highest vertex {} rad above the horizon)",
+                    number(traits.highest)));
+  } else if (traits.lowest && *traits.lowest < kGrazingLowest) {
+    texts.push_back(fmt::format("grazing horizon (lowest vertex {} rad above)",
+                                number(*traits.lowest)));
+  }
+  if (traits.extent < kTinyExtent)
+    texts.push_back(fmt::format("tiny source ({} rad)", number(traits.extent)));
+  if (traits.width < kSliverRatio * traits.extent) {
+    texts.push_back(fmt::format("sliver ({} wide)", number(traits.width)));
+  }
+  if (traits.cancellation > kCancellation) {
+    constexpr double kReadable = 1e5;
+    texts.push_back(fmt::format("cancellation (terms {} times their sum)",
+                                traits.cancellation < kReadable
+                                    ? fmt::format("{:.0f}", traits.cancellation)
+                                    : number(traits.cancellation)));
+  }
+  if (traits.shortest_arc < kShortArc * std::min(1.0, traits.extent)) {
+    texts.push_back(
+        fmt::format("short arc ({} rad)", number(traits.shortest_arc)));
+  }
+  return texts;
+}
+
+}  // namespace
+
+std::string_view Name(Lighting lighting) {
+  switch (lighting) {
+    case Lighting::kUnlit:
+      break;
+    case Lighting::kUmbra:
+      return "umbra";
+    case Lighting::kFullyLit:
+      return "fully lit";
+    case Lighting::kPenumbra:
+      return "penumbra";
+  }
+  return "unlit";
+}
+
+// Exactly, so that what is only near the horizon is told apart.
+bool IsOnHorizon(const Scene& scene, const Receiver& receiver,
+                 const ContourVertex& vertex) {
+  if (vertex.vertex < 0) return vertex.kind == VertexKind::kHorizon;
+  const Point3& v = scene.vertices()[static_cast<std::size_t>(vertex.vertex)];
+  const Point3& r = receiver.position;
+  const Vector3& n = receiver.normal;
+  const Vec3<Exact> normal{Exact(n.x), Exact(n.y), Exact(n.z)};
+  const Vec3<Exact> direction =
+      Vec3<Exact>{Exact(v.x), Exact(v.y), Exact(v.z)} -
+      Vec3<Exact>{Exact(r.x), Exact(r.y), Exact(r.z)};
+  return SignOf(Dot(normal, direction)) == Sign::kZero;
+}
+
+ReceiverTraits TraitsOf(const Scene& scene, const Receiver& receiver,
+                        const VisibleContour& contour) {
+  return Reader(scene, receiver, contour).Read();
+}
+
+std::string TextOf(const ReceiverTraits& traits) {
+  const std::vector<std::string> difficulties = Difficulties(traits);
+  std::string text = SeenText(traits);
+  if (!difficulties.empty())
+    text += fmt::format("; {}", fmt::join(difficulties, ", "));
+  return text;
+}
+
+std::string ReasonOf(const Scene& scene, const Receiver& receiver,
+                     const VisibleContour& contour) {
+  return TextOf(TraitsOf(scene, receiver, contour));
+}
+
+}  // namespace truelux

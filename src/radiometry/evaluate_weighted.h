@@ -1,0 +1,27 @@
+// Visible contour -> irradiance, on an input that needs no scene.
+
+#ifndef TRUELUX_RADIOMETRY_EVALUATE_WEIGHTED_H_
+#define TRUELUX_RADIOMETRY_EVALUATE_WEIGHTED_H_
+
+#include "truelux/irradiance.h"
+
+#include "radiometry/evaluation_query.h"
+#include "radiometry/weighted_contour.h"
+
+namespace truelux {
+
+struct EvaluationWorkspace;
+
+/// evaluate.h, on an input that needs no scene. Of the workspace, `weights`
+/// is not used.
+Irradiance EvaluateWeighted(const WeightedContour& contour,
+                            const EvaluationQuery& evaluation,
+                            EvaluationWorkspace& workspace);
+
+/// The same with a workspace of its own.
+Irradiance EvaluateWeighted(const WeightedContour& contour,
+                            const EvaluationQuery& evaluation);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_RADIOMETRY_EVALUATE_WEIGHTED_H_

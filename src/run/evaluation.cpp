@@ -1,0 +1,149 @@
+#include "run/evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <oneapi/tbb/parallel_pipeline.h>
+#include <oneapi/tbb/task_arena.h>
+#include <string>
+#include <utility>
+
+#include "run/interrupt.h"
+#include "run/parallel.h"
+#include "text/results.h"
+
+namespace truelux {
+namespace {
+
+/// A block ends at one of these sizes, whichever comes first.
+constexpr std::size_t kBlockRows = 256;
+constexpr std::size_t kBlockBytes = std::size_t{1} << 20;
+
+/// Consecutive rows on their way through the pipeline.
+struct Block {
+  std::vector<ReceiverRow> rows;
+  std::vector<Receiver> receivers;  ///< theirs
+  std::vector<Irradiance> results;
+  std::string text;  ///< the rows with their results
+};
+
+bool IsInfinite(const Irradiance& irradiance) {
+  return std::any_of(irradiance.value.begin(), irradiance.value.end(),
+                     [](double value) { return std::isinf(value); });
+}
+
+bool HasNoNumber(const Irradiance& irradiance) {
+  return std::any_of(irradiance.value.begin(), irradiance.value.end(),
+                     [](double value) { return std::isnan(value); });
+}
+
+/// First stage, serial: the next rows.
+///
+/// The blocks are owned here and used in turn, because a pipeline that is
+/// stopped by an exception drops what it holds. No more than block_count are
+/// on their way at once and they leave in order, so that a block is free again
+/// when its turn comes.
+class BlockReader {
+ public:
+  BlockReader(ReceiverReader& reader, std::size_t block_count,
+              std::vector<Diagnostic>& defects)
+      : reader_(reader), blocks_(block_count), defects_(defects) {}
+
+  /// Null at the end and at a defect.
+  Block* Next() {
+    StopIfInterrupted();
+    Block& block = blocks_[turn_++ % blocks_.size()];
+    block.rows.clear();
+    block.text.clear();
+    std::size_t bytes = 0;
+    while (!ended_) {
+      ReceiverRow row;
+      ended_ = reader_.Next(row, defects_) != ReceiverReader::Status::kRow;
+      if (ended_) break;
+      bytes += row.text.size();
+      block.rows.push_back(std::move(row));
+      // Rather a small block than to keep rows waiting for others that a pipe
+      // may bring later.
+      const bool full = block.rows.size() == kBlockRows ||
+                        bytes >= kBlockBytes || !reader_.HasBufferedBytes();
+      if (full) break;
+    }
+    return block.rows.empty() ? nullptr : &block;
+  }
+
+ private:
+  ReceiverReader& reader_;
+  std::vector<Block> blocks_;
+  std::vector<Diagnostic>& defects_;
+  std::size_t turn_ = 0;
+  bool ended_ = false;
+};
+
+/// Second stage, parallel between blocks and within one.
+void EvaluateBlock(const Oracle& oracle, Block& block, Progress& progress) {
+  block.results.resize(block.rows.size());
+  block.receivers.clear();
+  for (const ReceiverRow& row : block.rows)
+    block.receivers.push_back(row.receiver);
+  // Isolated: a thread that waits for the rest of its block must not take up
+  // the first stage meanwhile and wait there for input.
+  tbb::this_task_arena::isolate([&] {
+    EvaluateShares(oracle, block.receivers, progress,
+                   [&](std::size_t i, const Irradiance& irradiance) {
+                     block.results[i] = irradiance;
+                   });
+  });
+  for (std::size_t i = 0; i < block.rows.size(); ++i) {
+    block.text += block.rows[i].text;
+    AppendResult(block.text, block.results[i], oracle.options().method);
+    block.text += '\n';
+  }
+}
+
+/// Third stage, serial and in order.
+void WriteBlock(const Block& block, OutputFile& output,
+                EvaluationSummary& summary) {
+  output.Write(block.text);
+  for (const Irradiance& irradiance : block.results) {
+    summary.statistics += irradiance.statistics;
+    if (IsInfinite(irradiance)) ++summary.overflowing;
+    if (HasNoNumber(irradiance)) ++summary.unanswered;
+  }
+  summary.receivers += block.rows.size();
+}
+
+}  // namespace
+
+EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,
+                           OutputFile& output, int threads,
+                           Progress& progress) {
+  EvaluationSummary summary;
+  output.Write(reader.header() +
+               std::string(ResultHeader(oracle.options().method)) + "\n");
+  const std::size_t block_count = 2 * static_cast<std::size_t>(threads);
+  BlockReader blocks(reader, block_count, summary.defects);
+  const auto read = [&blocks](tbb::flow_control& control) {
+    Block* block = blocks.Next();
+    if (block == nullptr) control.stop();
+    return block;
+  };
+  const auto evaluate = [&](Block* block) {
+    EvaluateBlock(oracle, *block, progress);
+    return block;
+  };
+  const auto write = [&](const Block* block) {
+    WriteBlock(*block, output, summary);
+  };
+  WithThreads(threads, [&] {
+    tbb::parallel_pipeline(block_count,
+                           tbb::make_filter<void, Block*>(
+                               tbb::filter_mode::serial_in_order, read) &
+                               tbb::make_filter<Block*, Block*>(
+                                   tbb::filter_mode::parallel, evaluate) &
+                               tbb::make_filter<Block*, void>(
+                                   tbb::filter_mode::serial_in_order, write));
+  });
+  return summary;
+}
+
+}  // namespace truelux

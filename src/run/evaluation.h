@@ -1,0 +1,42 @@
+// Receivers in, results out: spread over threads, in order, in bounded memory.
+
+#ifndef TRUELUX_RUN_EVALUATION_H_
+#define TRUELUX_RUN_EVALUATION_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "truelux/diagnostics.h"
+#include "truelux/irradiance.h"
+#include "truelux/statistics.h"
+
+#include "run/output_file.h"
+#include "run/progress.h"
+#include "text/receivers.h"
+
+namespace truelux {
+
+/// How an evaluation went.
+struct EvaluationSummary {
+  Statistics statistics;
+  std::uint64_t receivers = 0;    ///< rows written
+  std::uint64_t overflowing = 0;  ///< of these, with an infinite value
+  /// Of these, with a value that the formula does not give or not bound.
+  std::uint64_t unanswered = 0;
+  /// What ended the input early: the defects of the first defective row.
+  std::vector<Diagnostic> defects;
+};
+
+/// Evaluates every receiver that `reader` still has (its header has been
+/// read) and writes the table with the results to `output`.
+///
+/// The rows, and their order, do not depend on the number of threads. What is
+/// held in memory does not grow with the number of rows. Throws Interruption
+/// within one receiver per thread after the program was interrupted, and what
+/// the reader, the oracle and the output throw.
+EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,
+                           OutputFile& output, int threads, Progress& progress);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_RUN_EVALUATION_H_

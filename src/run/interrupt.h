@@ -1,0 +1,28 @@
+// Stopping a run from outside: Ctrl-C and its relatives.
+
+#ifndef TRUELUX_RUN_INTERRUPT_H_
+#define TRUELUX_RUN_INTERRUPT_H_
+
+namespace truelux {
+
+/// Thrown where work is left because the program was interrupted.
+struct Interruption {};
+
+/// From now on SIGINT, SIGTERM and SIGHUP only make Interrupted() true, and
+/// writing to a closed pipe is an error like any other.
+void CatchSignals();
+
+/// Whether a signal has asked the program to stop.
+[[nodiscard]] bool Interrupted();
+
+/// Throws Interruption if Interrupted().
+void StopIfInterrupted();
+
+/// Waits until a file descriptor can be read, or written, without blocking.
+/// Throws Interruption if the program is interrupted meanwhile.
+void WaitUntilReadable(int fd);
+void WaitUntilWritable(int fd);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_RUN_INTERRUPT_H_

@@ -1,0 +1,31 @@
+#include "run/messages.h"
+
+#include <cstdio>
+#include <fmt/format.h>
+
+#include "run/output_file.h"
+
+namespace truelux {
+
+void PrintLine(std::string_view line) {
+  // In one piece, so that lines of several programs do not mix.
+  const std::string text = fmt::format("{}\n", line);
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void Print(const std::vector<Diagnostic>& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics)
+    PrintLine(diagnostic.Text());
+}
+
+void PrintNote(const std::string& message) {
+  PrintLine(Diagnostic{Severity::kNote, "", 0, message}.Text());
+}
+
+void WriteStandardOutput(std::string_view text) {
+  OutputFile output("");
+  output.Write(text);
+  output.Finish();
+}
+
+}  // namespace truelux

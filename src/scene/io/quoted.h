@@ -1,0 +1,18 @@
+// Words of an input in messages about it.
+
+#ifndef TRUELUX_SCENE_IO_QUOTED_H_
+#define TRUELUX_SCENE_IO_QUOTED_H_
+
+#include <string>
+#include <string_view>
+
+namespace truelux {
+
+/// A word between quotes, on one line and not longer than a reader can use:
+/// cut behind 40 bytes or less (never inside a UTF-8 character), control
+/// characters as \xHH.
+std::string Quoted(std::string_view word);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_SCENE_IO_QUOTED_H_

@@ -1,0 +1,22 @@
+// OBJ and MTL texts -> Scene, wherever the texts come from.
+
+#ifndef TRUELUX_SCENE_IO_READ_SCENE_H_
+#define TRUELUX_SCENE_IO_READ_SCENE_H_
+
+#include <filesystem>
+
+#include "truelux/diagnostics.h"
+#include "truelux/scene.h"
+
+#include "scene/io/text_file.h"
+
+namespace truelux {
+
+/// ReadScene with every file taken from `open`. MTL files are asked for by
+/// their names in the OBJ, relative to its folder.
+Result<Scene> ReadSceneWith(const FileOpener& open,
+                            const std::filesystem::path& obj);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_SCENE_IO_READ_SCENE_H_

@@ -1,0 +1,104 @@
+// Records of comma-separated values (RFC 4180), read one at a time.
+
+#ifndef TRUELUX_TEXT_CSV_H_
+#define TRUELUX_TEXT_CSV_H_
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "truelux/diagnostics.h"
+
+#include "text/byte_source.h"
+
+namespace truelux {
+
+/// The text without blanks (spaces and tabs) at its ends.
+std::string_view TrimBlanks(std::string_view text);
+
+/// One record: the bytes of the input, without the line end, and where its
+/// fields are.
+class CsvRecord {
+ public:
+  /// The record as it stands in the input: quotes, blanks and all.
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+  [[nodiscard]] std::size_t size() const { return fields_.size(); }
+
+  /// What field i says: without blanks around it and without its quotes.
+  [[nodiscard]] std::string Value(std::size_t i) const;
+
+  /// Line on which field i starts, from 1.
+  [[nodiscard]] int line(std::size_t i) const { return fields_[i].line; }
+
+ private:
+  friend class CsvReader;
+
+  struct Field {
+    std::size_t begin = 0;  ///< [begin, end) in text_
+    std::size_t end = 0;
+    int line = 0;
+  };
+
+  std::string text_;
+  std::vector<Field> fields_;
+};
+
+/// Splits a byte stream into records.
+///
+/// Lines end with LF or CRLF, the last one perhaps without; blank lines are
+/// skipped, and so is a byte order mark at the start. A field whose first
+/// character other than a blank is a quote ends with a quote; in between,
+/// commas and line ends are plain text and a quote is written twice.
+/// Only one record is held in memory.
+class CsvReader {
+ public:
+  enum class Status {
+    kRecord,  ///< a record was read
+    kDefect,  ///< a line was no record and has been passed over
+    kEnd,     ///< there is nothing more
+  };
+
+  /// A longer record is a defect and ends the input: what makes records grow
+  /// without limit is a quote that is never closed.
+  static constexpr std::size_t kMaxRecordBytes = std::size_t{1} << 24;
+
+  /// `source` must outlive the reader; `file_name` prefixes diagnostics.
+  CsvReader(ByteSource& source, std::string file_name);
+
+  /// Reads the next record; on kDefect `defect` says what is wrong. Errors of
+  /// the source are passed on as they are thrown.
+  Status Next(CsvRecord& record, Diagnostic& defect);
+
+  /// False if Next would have to ask the source for more bytes.
+  [[nodiscard]] bool HasBufferedBytes() const { return next_ < end_; }
+
+  /// An error of this file.
+  [[nodiscard]] Diagnostic Error(int line, std::string message) const;
+
+ private:
+  enum class Place;
+
+  int Get();
+  int Peek();
+  bool Fill();
+  void SkipLine();
+  void SkipByteOrderMark();
+  Status ReadRecord(CsvRecord& record, Diagnostic& defect);
+  const char* Step(char c, CsvRecord& record, Place& place);
+
+  ByteSource& source_;
+  std::string file_name_;
+  std::vector<char> buffer_;
+  std::size_t next_ = 0;  ///< unread bytes are [next_, end_) of buffer_
+  std::size_t end_ = 0;
+  int line_ = 1;          ///< of the next byte
+  int quote_line_ = 0;    ///< of the last opening quote
+  bool started_ = false;  ///< the byte order mark has been dealt with
+  bool ended_ = false;
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_TEXT_CSV_H_

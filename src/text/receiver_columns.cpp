@@ -1,0 +1,147 @@
+#include "text/receiver_columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+#include "truelux/io.h"
+
+#include "scene/io/quoted.h"
+
+namespace truelux {
+
+std::optional<int> ParseOnFace(std::string_view text, int face_count,
+                               std::string& defect) {
+  const std::string_view trimmed = TrimBlanks(text);
+  if (trimmed.empty()) return 0;
+  const std::optional<double> number = ParseNumber(trimmed);
+  if (!number || std::trunc(*number) != *number) {
+    defect = fmt::format("{} is not the number of a face", Quoted(trimmed));
+    return std::nullopt;
+  }
+  if (*number < 1 || *number > face_count) {
+    defect =
+        fmt::format("{} is out of range; the scene has {} {}", Quoted(trimmed),
+                    face_count, face_count == 1 ? "face" : "faces");
+    return std::nullopt;
+  }
+  return static_cast<int>(*number);
+}
+
+Receiver ParseReceiver(const std::array<std::string, 6>& texts,
+                       std::vector<FieldDefect>& defects) {
+  std::array<double, 6> numbers{};
+  bool normal_read = true;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const std::optional<double> number = ParseNumber(TrimBlanks(texts[i]));
+    if (number) {
+      numbers[i] = *number;
+      continue;
+    }
+    normal_read = normal_read && i < 3;
+    defects.push_back(
+        {i, fmt::format("{}: {} is not a number; expected a decimal number in "
+                        "the range of binary64",
+                        kReceiverColumns[i], Quoted(texts[i]))});
+  }
+  if (normal_read && numbers[3] == 0 && numbers[4] == 0 && numbers[5] == 0) {
+    defects.push_back({3, "the normal is zero"});
+  }
+  return {{numbers[0], numbers[1], numbers[2]},
+          {numbers[3], numbers[4], numbers[5]}};
+}
+
+ColumnNames::ColumnNames(const CsvReader& csv, const CsvRecord& header)
+    : csv_(csv), header_(header) {
+  for (std::size_t i = 0; i < header.size(); ++i)
+    names_.push_back(header.Value(i));
+}
+
+std::optional<std::size_t> ColumnNames::Find(
+    std::string_view name, std::vector<Diagnostic>& defects) const {
+  const auto first = std::find(names_.begin(), names_.end(), name);
+  if (first == names_.end()) return std::nullopt;
+  const auto column = static_cast<std::size_t>(first - names_.begin());
+  if (std::find(first + 1, names_.end(), name) != names_.end()) {
+    defects.push_back(csv_.Error(
+        header_.line(column), fmt::format("column '{}' stands twice", name)));
+  }
+  return column;
+}
+
+void ReceiverColumns::Find(const CsvReader& csv, const CsvRecord& header,
+                           std::vector<Diagnostic>& defects) {
+  const ColumnNames names(csv, header);
+  column_count_ = header.size();
+  std::vector<std::string_view> missing;
+  for (std::size_t i = 0; i < kReceiverColumns.size(); ++i) {
+    const auto column = names.Find(kReceiverColumns[i], defects);
+    if (!column) missing.push_back(kReceiverColumns[i]);
+    columns_[i] = column.value_or(0);
+  }
+  on_face_column_ = names.Find(kOnFaceColumn, defects);
+  if (missing.empty()) return;
+  defects.push_back(csv.Error(
+      header.line(0),
+      fmt::format("the header lacks the column{} {}; expected names like "
+                  "x,y,z,nx,ny,nz with commas between, found {}",
+                  missing.size() == 1 ? "" : "s", fmt::join(missing, ", "),
+                  Quoted(header.text()))));
+}
+
+std::optional<Receiver> ReceiverColumns::Parse(
+    const CsvReader& csv, const CsvRecord& row,
+    std::vector<Diagnostic>& defects) const {
+  const std::size_t defects_before = defects.size();
+  if (!HasAllFields(row)) {
+    defects.push_back(
+        csv.Error(row.line(0),
+                  fmt::format("{} field{}, but the header has {}", row.size(),
+                              row.size() == 1 ? "" : "s", column_count_)));
+    return std::nullopt;
+  }
+  std::array<std::string, 6> texts;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    texts[i] = row.Value(columns_[i]);
+  }
+  std::vector<FieldDefect> field_defects;
+  Receiver receiver = ParseReceiver(texts, field_defects);
+  for (FieldDefect& defect : field_defects) {
+    defects.push_back(
+        csv.Error(row.line(columns_[defect.index]), std::move(defect.message)));
+  }
+  if (on_face_column_) {
+    std::string message;
+    const std::optional<int> face =
+        ParseOnFace(row.Value(*on_face_column_), face_count_, message);
+    if (!face) {
+      defects.push_back(
+          csv.Error(row.line(*on_face_column_),
+                    fmt::format("{}: {}", kOnFaceColumn, message)));
+    }
+    receiver.on_face = face.value_or(0);
+  }
+  if (defects.size() != defects_before) return std::nullopt;
+  return receiver;
+}
+
+bool ReadHeaderRecord(CsvReader& csv, CsvRecord& record,
+                      std::vector<Diagnostic>& defects) {
+  Diagnostic defect;
+  switch (csv.Next(record, defect)) {
+    case CsvReader::Status::kDefect:
+      defects.push_back(std::move(defect));
+      return false;
+    case CsvReader::Status::kEnd:
+      defects.push_back(
+          csv.Error(1, fmt::format("no header; expected the columns {}",
+                                   fmt::join(kReceiverColumns, ","))));
+      return false;
+    case CsvReader::Status::kRecord:
+      break;
+  }
+  return true;
+}
+
+}  // namespace truelux

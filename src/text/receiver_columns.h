@@ -1,0 +1,101 @@
+// The columns of a table that say what its receivers are.
+
+#ifndef TRUELUX_TEXT_RECEIVER_COLUMNS_H_
+#define TRUELUX_TEXT_RECEIVER_COLUMNS_H_
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "truelux/diagnostics.h"
+#include "truelux/receiver.h"
+
+#include "text/csv.h"
+
+namespace truelux {
+
+/// Names of the columns that a receivers table must have, in the order in
+/// which this program writes them.
+inline constexpr std::array<std::string_view, 6> kReceiverColumns = {
+    "x", "y", "z", "nx", "ny", "nz"};
+
+/// Name of the column for Receiver::on_face.
+inline constexpr std::string_view kOnFaceColumn = "on_face";
+
+/// Number of the face that a text names: 1 .. face_count, or 0 if it is empty.
+/// Nothing if it is no such number; `defect` then says why.
+std::optional<int> ParseOnFace(std::string_view text, int face_count,
+                               std::string& defect);
+
+/// A receiver from the texts of x, y, z, nx, ny, nz. For each text that is no
+/// number, or for a normal that is zero, `defects` gets an entry: which of the
+/// six texts it is about and what is wrong.
+struct FieldDefect {
+  std::size_t index = 0;
+  std::string message;
+};
+
+Receiver ParseReceiver(const std::array<std::string, 6>& texts,
+                       std::vector<FieldDefect>& defects);
+
+/// The columns of a header by their names.
+class ColumnNames {
+ public:
+  /// The arguments must outlive the object.
+  ColumnNames(const CsvReader& csv, const CsvRecord& header);
+
+  /// The names, in the order of the columns.
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+
+  /// The column of a name, if there is one. Adds a defect if the name stands
+  /// twice; other names may.
+  std::optional<std::size_t> Find(std::string_view name,
+                                  std::vector<Diagnostic>& defects) const;
+
+ private:
+  const CsvReader& csv_;
+  const CsvRecord& header_;
+  std::vector<std::string> names_;
+};
+
+/// Where a table has its receivers: the columns x, y, z, nx, ny, nz and, if
+/// there, on_face.
+class ReceiverColumns {
+ public:
+  /// face_count: number of faces of the scene, the largest on_face.
+  explicit ReceiverColumns(int face_count) : face_count_(face_count) {}
+
+  /// Reads the header's record. Adds a defect for every column that is missing
+  /// or stands twice.
+  void Find(const CsvReader& csv, const CsvRecord& header,
+            std::vector<Diagnostic>& defects);
+
+  /// The receiver of a row. Nothing, and a defect for each thing that is
+  /// wrong, if it has not as many fields as the header or if one of these
+  /// columns does not hold what it should.
+  std::optional<Receiver> Parse(const CsvReader& csv, const CsvRecord& row,
+                                std::vector<Diagnostic>& defects) const;
+
+  /// Whether a row has as many fields as the header.
+  [[nodiscard]] bool HasAllFields(const CsvRecord& row) const {
+    return row.size() == column_count_;
+  }
+
+ private:
+  int face_count_;
+  std::size_t column_count_ = 0;
+  std::array<std::size_t, kReceiverColumns.size()> columns_{};
+  std::optional<std::size_t> on_face_column_;
+};
+
+/// Reads the first record of a table, which names its columns. False, and a
+/// defect, if there is none.
+bool ReadHeaderRecord(CsvReader& csv, CsvRecord& record,
+                      std::vector<Diagnostic>& defects);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_TEXT_RECEIVER_COLUMNS_H_

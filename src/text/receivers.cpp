@@ -1,0 +1,60 @@
+#include "text/receivers.h"
+
+#include <cstddef>
+#include <fmt/format.h>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "scene/io/quoted.h"
+
+namespace truelux {
+namespace {
+
+bool IsResultColumn(std::string_view name) {
+  return name.starts_with("E_") || name.starts_with("bound_");
+}
+
+}  // namespace
+
+ReceiverReader::ReceiverReader(ByteSource& source, const std::string& file_name,
+                               int face_count)
+    : csv_(source, file_name), columns_(face_count) {}
+
+bool ReceiverReader::ReadHeader(std::vector<Diagnostic>& defects) {
+  if (!ReadHeaderRecord(csv_, record_, defects)) return false;
+  header_ = record_.text();
+  const std::size_t defects_before = defects.size();
+  for (std::size_t i = 0; i < record_.size(); ++i) {
+    const std::string name = record_.Value(i);
+    if (!IsResultColumn(name)) continue;
+    defects.push_back(
+        csv_.Error(record_.line(i),
+                   fmt::format("column {} has the name of a result; rename it",
+                               Quoted(name))));
+  }
+  columns_.Find(csv_, record_, defects);
+  return defects.size() == defects_before;
+}
+
+ReceiverReader::Status ReceiverReader::Next(ReceiverRow& row,
+                                            std::vector<Diagnostic>& defects) {
+  Diagnostic defect;
+  switch (csv_.Next(record_, defect)) {
+    case CsvReader::Status::kDefect:
+      defects.push_back(std::move(defect));
+      return Status::kDefect;
+    case CsvReader::Status::kEnd:
+      return Status::kEnd;
+    case CsvReader::Status::kRecord:
+      break;
+  }
+  const std::optional<Receiver> receiver =
+      columns_.Parse(csv_, record_, defects);
+  if (!receiver) return Status::kDefect;
+  row.text = record_.text();
+  row.receiver = *receiver;
+  return Status::kRow;
+}
+
+}  // namespace truelux

@@ -1,0 +1,63 @@
+// Receivers from comma-separated values, one at a time.
+
+#ifndef TRUELUX_TEXT_RECEIVERS_H_
+#define TRUELUX_TEXT_RECEIVERS_H_
+
+#include <string>
+#include <vector>
+
+#include "truelux/diagnostics.h"
+#include "truelux/receiver.h"
+
+#include "text/byte_source.h"
+#include "text/csv.h"
+#include "text/receiver_columns.h"
+
+namespace truelux {
+
+/// One row of a receivers table.
+struct ReceiverRow {
+  std::string text;  ///< the input's bytes without the line end
+  Receiver receiver;
+};
+
+/// Reads a receivers table: a header with at least x, y, z, nx, ny, nz in any
+/// order, perhaps on_face, perhaps further columns; then one receiver a row.
+class ReceiverReader {
+ public:
+  enum class Status {
+    kRow,     ///< a row was read
+    kDefect,  ///< a row is defective; `defects` says why
+    kEnd,     ///< there are no more rows
+  };
+
+  /// face_count: number of faces of the scene, the largest on_face.
+  ReceiverReader(ByteSource& source, const std::string& file_name,
+                 int face_count);
+
+  /// Reads the header; must be called once, first. False, and entries in
+  /// `defects`, if it cannot be used: a column is missing or stands twice, or
+  /// has the name of a result (E_*, bound_*).
+  bool ReadHeader(std::vector<Diagnostic>& defects);
+
+  /// The header as it stands in the input.
+  [[nodiscard]] const std::string& header() const { return header_; }
+
+  /// Reads the next row. May be called again after a defect.
+  Status Next(ReceiverRow& row, std::vector<Diagnostic>& defects);
+
+  /// False if Next would have to ask the source for more bytes.
+  [[nodiscard]] bool HasBufferedBytes() const {
+    return csv_.HasBufferedBytes();
+  }
+
+ private:
+  CsvReader csv_;
+  CsvRecord record_;
+  ReceiverColumns columns_;
+  std::string header_;
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_TEXT_RECEIVERS_H_

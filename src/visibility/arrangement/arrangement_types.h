@@ -1,0 +1,21 @@
+// The pieces of facets that a chart shows.
+
+#ifndef TRUELUX_VISIBILITY_ARRANGEMENT_ARRANGEMENT_TYPES_H_
+#define TRUELUX_VISIBILITY_ARRANGEMENT_ARRANGEMENT_TYPES_H_
+
+#include <array>
+
+#include "visibility/arrangement/arrangement_chart.h"
+
+namespace truelux {
+
+/// A piece of a facet in the image frame of one chart; not degenerate, and
+/// not seen edge-on.
+struct ImageTriangle {
+  std::array<ImagePoint, 3> corners;
+  int facet = -1;  ///< index into Scene::facets()
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_ARRANGEMENT_ARRANGEMENT_TYPES_H_

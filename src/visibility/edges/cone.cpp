@@ -1,0 +1,190 @@
+#include "visibility/edges/cone.h"
+
+#include <algorithm>
+
+namespace truelux {
+namespace {
+
+std::size_t Index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+template <class Geometry>
+ConeMaker<Geometry>::ConeMaker(Geometry& geometry, const ConvexPieces& pieces)
+    : geometry_(geometry),
+      pieces_(pieces),
+      piece_entries_(pieces.pieces().size()),
+      edge_entries_(pieces.corners().size()) {}
+
+template <class Geometry>
+void ConeMaker<Geometry>::SetReceiver() {
+  horizon_ = geometry_.AddPlane({.kind = PlaneRecipe::Kind::kHorizon});
+  horizon_side_.clear();
+  if (++generation_ == 0) {  // it wrapped around
+    std::ranges::fill(piece_entries_, PieceEntry{});
+    std::ranges::fill(edge_entries_, EdgeEntry{});
+    generation_ = 1;
+  }
+}
+
+template <class Geometry>
+Sign ConeMaker<Geometry>::ReceiverSide(int piece) {
+  PieceEntry& entry = piece_entries_[Index(piece)];
+  if (entry.generation != generation_) {
+    const int triangle = pieces_.pieces()[Index(piece)].triangle;
+    entry = {generation_, geometry_.ReceiverSide(triangle)};
+  }
+  return entry.side;
+}
+
+template <class Geometry>
+Sign ConeMaker<Geometry>::HorizonSide(int vertex) {
+  const int direction = geometry_.VertexDirection(vertex);
+  if (Index(direction) >= horizon_side_.size()) {
+    horizon_side_.resize(Index(direction) + 1, kUnknown);
+  }
+  signed char& side = horizon_side_[Index(direction)];
+  if (side == kUnknown) {
+    side =
+        static_cast<signed char>(geometry_.PlaneSide(horizon_, direction).sign);
+  }
+  return static_cast<Sign>(side);
+}
+
+template <class Geometry>
+int ConeMaker<Geometry>::EdgePlane(int edge) {
+  EdgeEntry& entry = edge_entries_[Index(edge)];
+  if (entry.generation != generation_) {
+    const int index = pieces_.PieceOf(edge);
+    const auto corners = pieces_.corners();
+    PlaneRecipe recipe{.kind = PlaneRecipe::Kind::kEdge,
+                       .a = corners[Index(edge)],
+                       .b = corners[Index(pieces_.NextCorner(edge))]};
+    if (ReceiverSide(index) != Sign::kPositive) std::swap(recipe.a, recipe.b);
+    entry = {generation_, geometry_.AddPlane(recipe)};
+  }
+  return entry.plane;
+}
+
+template <class Geometry>
+void ConeMaker<Geometry>::MakePlanes(Cone& cone) {
+  for (std::size_t k = 0; k < cone.size; ++k) {
+    if (cone.planes[k] == Cone::kNoPlane) {
+      cone.planes[k] = EdgePlane(cone.edges[k]);
+    }
+  }
+  cone.bundle = geometry_.AddBundle(std::span(cone.planes).first(cone.size));
+}
+
+template <class Geometry>
+Cone ConeMaker<Geometry>::Whole(int piece) {
+  const Piece& p = pieces_.pieces()[Index(piece)];
+  const auto corners = pieces_.CornersOf(p);
+  // h > 0: the normal points away from r, so that the corners already run
+  // counter-clockwise seen from r; else they run clockwise.
+  const bool forward = ReceiverSide(piece) == Sign::kPositive;
+  Cone cone;
+  cone.piece = piece;
+  cone.size = corners.size();
+  for (std::size_t k = 0; k < cone.size; ++k) {
+    // Backward the ring is c[n-1], c[n-2], .., c[0], and edge k, from c[n-1-k]
+    // to c[n-2-k], is the piece's edge n-2-k.
+    const std::size_t at = forward ? k : cone.size - 1 - k;
+    const std::size_t edge = forward ? k : (2 * cone.size - 2 - k) % cone.size;
+    cone.directions[k] = geometry_.VertexDirection(corners[at]);
+    cone.edges[k] = p.first_corner + static_cast<int>(edge);
+    cone.planes[k] = Cone::kNoPlane;
+  }
+  return cone;
+}
+
+/// The part of a piece's cone where a linear function is >= 0. sides: the
+/// function's signs at the corners, at least one positive and one negative.
+/// cut: id of the plane where the function is 0, normal to the positive side.
+/// crossing(p, q): id of the direction where the edge between corner p
+/// (positive) and corner q (negative) meets the cut.
+template <class Geometry>
+template <class MakeCrossing>
+Cone ConeMaker<Geometry>::Clip(int piece, const CornerSigns& sides, int cut,
+                               const MakeCrossing& crossing) {
+  const Cone whole = Whole(piece);
+  const bool forward = ReceiverSide(piece) == Sign::kPositive;
+  // The piece's corner at position k of the cone.
+  const auto corner = [&](std::size_t k) {
+    return forward ? k : whole.size - 1 - k;
+  };
+  Cone part;
+  part.piece = piece;
+  const auto add = [&part](int direction, int plane, int edge) {
+    part.directions[part.size] = direction;
+    part.planes[part.size] = plane;
+    part.edges[part.size] = edge;
+    ++part.size;
+  };
+  for (std::size_t k = 0; k < whole.size; ++k) {
+    const std::size_t next = k + 1 < whole.size ? k + 1 : 0;
+    const Sign here = sides[corner(k)];
+    const Sign there = sides[corner(next)];
+    if (here == Sign::kPositive ||
+        (here == Sign::kZero && there != Sign::kNegative)) {
+      add(whole.directions[k], Cone::kNoPlane, whole.edges[k]);
+      if (there == Sign::kNegative) {
+        add(crossing(corner(k), corner(next)), cut, kNoEdge);
+      }
+    } else if (here == Sign::kZero) {
+      // The piece goes from front to back in this corner.
+      add(whole.directions[k], cut, kNoEdge);
+    } else if (there == Sign::kPositive) {
+      add(crossing(corner(next), corner(k)), Cone::kNoPlane, whole.edges[k]);
+    }
+  }
+  return part;
+}
+
+template <class Geometry>
+std::optional<Cone> ConeMaker<Geometry>::AboveHorizon(int piece) {
+  const auto corners = pieces_.CornersOf(pieces_.pieces()[Index(piece)]);
+  CornerSigns sides{};
+  bool any_above = false;
+  bool any_below = false;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    sides[k] = HorizonSide(corners[k]);
+    any_above = any_above || sides[k] == Sign::kPositive;
+    any_below = any_below || sides[k] == Sign::kNegative;
+  }
+  if (!any_above) return std::nullopt;
+  if (!any_below) return Whole(piece);
+  return Clip(piece, sides, horizon_, [&](std::size_t p, std::size_t q) {
+    return geometry_.AddDirection(
+        {.kind = DirectionRecipe::Kind::kEdgeAtHorizon,
+         .a = corners[p],
+         .b = corners[q]});
+  });
+}
+
+template <class Geometry>
+Cone ConeMaker<Geometry>::InFrontOf(int source, int piece,
+                                    const CornerSigns& sides) {
+  const Piece& p = pieces_.pieces()[Index(piece)];
+  const auto corners = pieces_.CornersOf(p);
+  // c = sign(h_T) (h_T N_S - h_S N_T), method.md eq. (5): c . d > 0 where the
+  // ray along d meets T in front of the plane of S.
+  const int cut =
+      geometry_.AddPlane({.kind = PlaneRecipe::Kind::kCut,
+                          .negated = ReceiverSide(piece) == Sign::kNegative,
+                          .a = source,
+                          .b = p.triangle});
+  return Clip(piece, sides, cut, [&](std::size_t i, std::size_t j) {
+    return geometry_.AddDirection({.kind = DirectionRecipe::Kind::kEdgeAtPlane,
+                                   .a = corners[i],
+                                   .b = corners[j],
+                                   .c = source});
+  });
+}
+
+template class ConeMaker<ViewGeometry>;
+template class ConeMaker<UnfilteredViewGeometry>;
+
+}  // namespace truelux

@@ -1,0 +1,133 @@
+// Pointed convex cones with apex r: a piece of the scene as seen from the
+// receiver, or the part of it above the horizon or in front of a source's
+// plane.
+
+#ifndef TRUELUX_VISIBILITY_EDGES_CONE_H_
+#define TRUELUX_VISIBILITY_EDGES_CONE_H_
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "exact/view_geometry.h"
+#include "scene/index/convex_pieces.h"
+
+namespace truelux {
+
+/// The edge of a cone that is no edge of the scene: a cut or a horizon edge.
+inline constexpr int kNoEdge = -1;
+
+/// A closed pointed cone, counter-clockwise from r: edge k runs from direction
+/// k to direction k + 1 in plane k, whose normal points inwards and is a
+/// positive multiple of direction k x direction k + 1.
+struct Cone {
+  static constexpr std::size_t kMaxEdges = ConvexPieces::kMaxCorners + 1;
+  static constexpr int kNoPlane = -1;
+
+  int piece = -1;
+  std::size_t size = 0;
+  std::array<int, kMaxEdges> directions{};
+  /// Those of scene edges are kNoPlane until ConeMaker::Complete.
+  std::array<int, kMaxEdges> planes{};
+  int bundle = kNoPlane;  ///< of the planes, in their order; likewise
+  std::array<int, kMaxEdges> edges{};  ///< of ConvexPieces, or kNoEdge
+
+  [[nodiscard]] int From(std::size_t k) const { return directions[k]; }
+
+  [[nodiscard]] int To(std::size_t k) const {
+    return directions[k + 1 < size ? k + 1 : 0];
+  }
+};
+
+/// The signs of some function at the corners of a piece, in the piece's order.
+using CornerSigns = std::array<Sign, ConvexPieces::kMaxCorners>;
+
+/// Makes cones, and keeps what belongs to a piece for one receiver.
+template <class Geometry>
+class ConeMaker {
+ public:
+  /// The arguments must outlive the object.
+  ConeMaker(Geometry& geometry, const ConvexPieces& pieces);
+
+  /// Starts with the receiver that the geometry has just been given.
+  void SetReceiver();
+
+  /// Sign of h_t of the piece's plane, asked once per piece.
+  Sign ReceiverSide(int piece);
+
+  /// The cone of a whole piece. Requires ReceiverSide != zero.
+  Cone Whole(int piece);
+
+  /// The part of a piece in n . d >= 0; nothing if no point has n . d > 0.
+  /// Requires ReceiverSide != zero.
+  std::optional<Cone> AboveHorizon(int piece);
+
+  /// The part of a piece strictly in front of the plane of triangle `source`,
+  /// given the signs of VertexSide(source, .) at its corners, of which some
+  /// are positive and some negative. Requires ReceiverSide != zero.
+  Cone InFrontOf(int source, int piece, const CornerSigns& sides);
+
+  /// Makes a cone's planes and their bundle, if that has not been done.
+  void Complete(Cone& cone) {
+    if (cone.bundle == Cone::kNoPlane) MakePlanes(cone);
+  }
+
+  /// The plane of a scene edge, normal towards its piece.
+  int EdgePlane(int edge);
+
+  /// Id of the plane n . d = 0.
+  [[nodiscard]] int horizon() const { return horizon_; }
+
+  /// Sign of n . d for the direction to a scene vertex, asked once.
+  Sign HorizonSide(int vertex);
+
+ private:
+  struct PieceEntry {
+    std::uint32_t generation = 0;  ///< valid if it is the current one
+    Sign side = Sign::kZero;
+  };
+
+  struct EdgeEntry {
+    std::uint32_t generation = 0;  ///< valid if it is the current one
+    int plane = Cone::kNoPlane;
+  };
+
+  static constexpr signed char kUnknown = 2;
+
+  void MakePlanes(Cone& cone);
+
+  template <class MakeCrossing>
+  Cone Clip(int piece, const CornerSigns& sides, int cut,
+            const MakeCrossing& crossing);
+
+  Geometry& geometry_;
+  const ConvexPieces& pieces_;
+  int horizon_ = -1;
+  std::uint32_t generation_ = 0;
+  std::vector<PieceEntry> piece_entries_;
+  std::vector<EdgeEntry> edge_entries_;
+  std::vector<signed char> horizon_side_;  ///< per direction id; kUnknown
+};
+
+/// Whether all directions of `inner` lie in the closed `outer`, which is
+/// complete.
+template <class Geometry>
+bool Contains(Geometry& geometry, const Cone& outer, const Cone& inner) {
+  BundleSides sides;
+  for (std::size_t d = 0; d < inner.size; ++d) {
+    geometry.FilterSides(outer.bundle, inner.directions[d], sides);
+    if (sides.negative != 0) return false;
+    geometry.CompleteSides(outer.bundle, inner.directions[d], sides);
+    if (sides.negative != 0) return false;
+  }
+  return true;
+}
+
+extern template class ConeMaker<ViewGeometry>;
+extern template class ConeMaker<UnfilteredViewGeometry>;
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_EDGES_CONE_H_

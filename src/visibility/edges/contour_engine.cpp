@@ -1,0 +1,251 @@
+#include "visibility/edges/contour_engine.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "scene/emitters.h"
+#include "visibility/edges/cone.h"
+#include "visibility/edges/contour_writer.h"
+#include "visibility/edges/source_contour.h"
+#include "visibility/edges/source_join.h"
+#include "visibility/edges/source_parts.h"
+
+namespace truelux {
+
+ContourEngine::ContourEngine(const Scene& scene)
+    : scene_(scene),
+      pieces_(scene),
+      triangle_normals_(
+          FilteredTriangleNormals(scene.vertices(), scene.triangles())) {
+  std::vector<Box> boxes(pieces_.pieces().size());
+  for (std::size_t p = 0; p < boxes.size(); ++p) {
+    for (const int vertex : pieces_.CornersOf(pieces_.pieces()[p]))
+      boxes[p].Include(scene.vertices()[static_cast<std::size_t>(vertex)]);
+  }
+  tree_ = TriangleTree(boxes);
+  const auto facets = scene.facets();
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const auto face = static_cast<std::size_t>(facets[f].face);
+    if (!Emits(scene.faces()[face])) continue;
+    const int facet = static_cast<int>(f);
+    emitters_.push_back({facet, ShaftsTo(facet)});
+  }
+}
+
+ShaftSource ContourEngine::ShaftsTo(int facet) const {
+  const RoundUpward rounding;
+  const Facet& f = scene_.facets()[static_cast<std::size_t>(facet)];
+  return {scene_.vertices(), scene_.triangles().subspan(
+                                 static_cast<std::size_t>(f.first_triangle),
+                                 static_cast<std::size_t>(f.triangle_count))};
+}
+
+Contour ContourEngine::Build(const ContourQuery& query) const {
+  Contour contour;
+  ContourBuilder(*this).Build(query, contour);
+  return contour;
+}
+
+template <PredicateKind kKind>
+class BasicContourBuilder<kKind>::Impl {
+ public:
+  explicit Impl(const ContourEngine& engine)
+      : engine_(engine),
+        geometry_(
+            {engine.scene().vertices(), engine.scene().triangles(), {}, {}},
+            engine.triangle_normals()),
+        cones_(geometry_, engine.pieces()),
+        parts_(engine.scene(), engine.pieces(), geometry_, cones_),
+        arcs_(engine.pieces(), geometry_, cones_, parts_),
+        join_(engine.scene(), engine.pieces(), geometry_),
+        writer_(engine.scene(), engine.pieces(), geometry_),
+        ignored_(engine.scene()) {}
+
+  void StartBlock(std::span<const Receiver> receivers) {
+    in_block_ = receivers.size() > 1;
+    if (!in_block_) return;
+    ++block_;
+    block_box_ = {};
+    block_normal_ = receivers.front().normal;
+    for (const Receiver& receiver : receivers) {
+      block_box_.Include(receiver.position);
+      if (receiver.normal != receivers.front().normal) block_normal_.reset();
+    }
+  }
+
+  void Build(const ContourQuery& query, Contour& contour) {
+    const RoundUpward rounding;
+    geometry_.SetReceiver(query.receiver.position, query.receiver.normal);
+    cones_.SetReceiver();
+    ignored_.SetOnFace(query.receiver.on_face);
+    arcs_of_all_.clear();
+    ends_.clear();
+    sources_ = 0;
+    blockers_ = 0;
+    const Receiver& receiver = query.receiver;
+    if (query.only_source == 0) {
+      for (std::size_t e = 0; e < engine_.emitters().size(); ++e) {
+        const ContourEngine::Emitter& emitter = engine_.emitters()[e];
+        if (!StartSource(emitter.facet)) continue;
+        AddPieces(emitter.shafts, receiver, CutOf(e));
+        FinishSource(emitter.facet);
+      }
+    } else {
+      const Face& face =
+          engine_.scene()
+              .faces()[static_cast<std::size_t>(query.only_source - 1)];
+      for (int f = face.first_facet; f < face.first_facet + face.facet_count;
+           ++f) {
+        if (!StartSource(f)) continue;
+        AddPieces(engine_.ShaftsTo(f), receiver, nullptr);
+        FinishSource(f);
+      }
+    }
+    const std::size_t all_arcs = arcs_of_all_.size();
+    if (query.join_sources && ends_.size() > 1) Join();
+    writer_.Start(contour);
+    contour.is_joined = arcs_of_all_.size() < all_arcs;
+    std::size_t first = 0;
+    for (const SourceEnd& source : ends_) {
+      writer_.WriteSource(
+          source.facet,
+          std::span(arcs_of_all_).subspan(first, source.end - first));
+      first = source.end;
+    }
+    contour.statistics = geometry_.statistics();
+    contour.statistics.sources = sources_;
+    contour.statistics.blockers = blockers_;
+    contour.statistics.arcs = contour.arcs.size();
+  }
+
+ private:
+  /// The arcs of a facet end before entry `end` of all arcs, where those of
+  /// the next one begin.
+  struct SourceEnd {
+    int facet;
+    std::size_t end;
+  };
+
+  /// What a block of receivers shares towards one emitter.
+  struct SharedCut {
+    std::uint64_t block = 0;  ///< valid if it is the current one
+    TreeCut cut;
+  };
+
+  /// False if nothing of the facet can be seen.
+  bool StartSource(int facet) {
+    if (ignored_.IsIgnored(facet) ||
+        cones_.ReceiverSide(engine_.pieces().FirstPieceOf(facet)) !=
+            Sign::kNegative ||
+        !parts_.SetSource(facet)) {
+      return false;
+    }
+    ++sources_;
+    return true;
+  }
+
+  /// Adds the blockers that lie towards a source. cut: null for none.
+  void AddPieces(const ShaftSource& shafts, const Receiver& receiver,
+                 const TreeCut* cut) {
+    const Shaft shaft(shafts, Box::Of(receiver.position), receiver.normal);
+    const auto add = [this](int piece) { AddPiece(piece); };
+    if (cut == nullptr) {
+      engine_.tree().Visit(shaft, add);
+    } else {
+      engine_.tree().Visit(shaft, *cut, add);
+    }
+  }
+
+  void AddPiece(int piece) {
+    ImageBox box;
+    if (!parts_.MayBlock(piece, box)) return;
+    const Piece& p = engine_.pieces().pieces()[static_cast<std::size_t>(piece)];
+    if (!ignored_.IsIgnored(p.facet)) parts_.AddBlocker(piece, box);
+  }
+
+  void FinishSource(int facet) {
+    arcs_.AppendArcs(arcs_of_all_);
+    blockers_ += parts_.blockers().size();
+    ends_.push_back({facet, arcs_of_all_.size()});
+  }
+
+  /// Takes out the arcs between sources of equal emission.
+  void Join() {
+    join_.FindPairs(arcs_of_all_, dropped_);
+    std::size_t kept = 0;
+    std::size_t next = 0;
+    for (SourceEnd& source : ends_) {
+      for (; next < source.end; ++next) {
+        if (!dropped_[next]) arcs_of_all_[kept++] = arcs_of_all_[next];
+      }
+      source.end = kept;
+    }
+    arcs_of_all_.resize(kept);
+  }
+
+  /// What the block's receivers share; null without a block.
+  const TreeCut* CutOf(std::size_t emitter) {
+    if (!in_block_) return nullptr;
+    cuts_.resize(engine_.emitters().size());
+    SharedCut& shared = cuts_[emitter];
+    if (shared.block != block_) {
+      shared.block = block_;
+      engine_.tree().Narrow(
+          Shaft(engine_.emitters()[emitter].shafts, block_box_, block_normal_),
+          shared.cut);
+    }
+    return &shared.cut;
+  }
+
+  const ContourEngine& engine_;
+  BasicViewGeometry<kKind> geometry_;
+  ConeMaker<BasicViewGeometry<kKind>> cones_;
+  SourceParts<BasicViewGeometry<kKind>> parts_;
+  SourceContour<BasicViewGeometry<kKind>> arcs_;
+  SourceJoin<BasicViewGeometry<kKind>> join_;
+  ContourWriter<BasicViewGeometry<kKind>> writer_;
+  std::vector<ViewArc> arcs_of_all_;  ///< of the receiver's sources, in order
+  std::vector<SourceEnd> ends_;
+  std::vector<bool> dropped_;  ///< per arc
+  IgnoredFacetCache ignored_;
+  std::uint64_t sources_ = 0;
+  std::uint64_t blockers_ = 0;
+
+  bool in_block_ = false;
+  std::uint64_t block_ = 0;  ///< one more for every block
+  Box block_box_;
+  std::optional<Vector3> block_normal_;  ///< if all receivers share it
+  std::vector<SharedCut> cuts_;          ///< per emitter
+};
+
+template <PredicateKind kKind>
+BasicContourBuilder<kKind>::BasicContourBuilder(const ContourEngine& engine)
+    : impl_(std::make_unique<Impl>(engine)) {}
+
+template <PredicateKind kKind>
+BasicContourBuilder<kKind>::~BasicContourBuilder() = default;
+
+template <PredicateKind kKind>
+BasicContourBuilder<kKind>::BasicContourBuilder(
+    BasicContourBuilder&&) noexcept = default;
+
+template <PredicateKind kKind>
+BasicContourBuilder<kKind>& BasicContourBuilder<kKind>::operator=(
+    BasicContourBuilder&&) noexcept = default;
+
+template <PredicateKind kKind>
+void BasicContourBuilder<kKind>::StartBlock(
+    std::span<const Receiver> receivers) {
+  impl_->StartBlock(receivers);
+}
+
+template <PredicateKind kKind>
+void BasicContourBuilder<kKind>::Build(const ContourQuery& query,
+                                       Contour& contour) {
+  impl_->Build(query, contour);
+}
+
+template class BasicContourBuilder<PredicateKind::kExact>;
+template class BasicContourBuilder<PredicateKind::kUnfiltered>;
+
+}  // namespace truelux

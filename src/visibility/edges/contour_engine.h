@@ -1,0 +1,94 @@
+// The default engine: visible contours by walking edges (docs/method.md).
+
+#ifndef TRUELUX_VISIBILITY_EDGES_CONTOUR_ENGINE_H_
+#define TRUELUX_VISIBILITY_EDGES_CONTOUR_ENGINE_H_
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "exact/filter.h"
+#include "exact/view_geometry.h"
+#include "scene/index/convex_pieces.h"
+#include "scene/index/shaft.h"
+#include "scene/index/triangle_tree.h"
+#include "visibility/contour.h"
+
+namespace truelux {
+
+/// What the contour engine knows of a scene, whatever the receiver. Immutable.
+class ContourEngine {
+ public:
+  explicit ContourEngine(const Scene& scene);
+
+  /// The visible contours of the query's sources; query.scene must be the
+  /// engine's. One SourceArcs per source of which something is visible. For
+  /// one receiver; a ContourBuilder does many without allocating.
+  [[nodiscard]] Contour Build(const ContourQuery& query) const;
+
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+
+  [[nodiscard]] const ConvexPieces& pieces() const { return pieces_; }
+
+  [[nodiscard]] std::span<const FilteredPlane> triangle_normals() const {
+    return triangle_normals_;
+  }
+
+  /// A facet of a face that emits.
+  struct Emitter {
+    int facet;
+    ShaftSource shafts;
+  };
+
+  /// The facets of the faces that emit, in their order.
+  [[nodiscard]] std::span<const Emitter> emitters() const { return emitters_; }
+
+  /// What the shafts towards a facet have in common.
+  [[nodiscard]] ShaftSource ShaftsTo(int facet) const;
+
+  /// The boxes of the pieces.
+  [[nodiscard]] const TriangleTree& tree() const { return tree_; }
+
+ private:
+  Scene scene_;
+  ConvexPieces pieces_;
+  std::vector<FilteredPlane> triangle_normals_;
+  TriangleTree tree_;
+  std::vector<Emitter> emitters_;
+};
+
+/// Finds visible contours in one scene, one receiver after the other; every
+/// decision is exact (with PredicateKind::kExact). For one thread.
+template <PredicateKind kKind>
+class BasicContourBuilder {
+ public:
+  /// The engine must outlive the object.
+  explicit BasicContourBuilder(const ContourEngine& engine);
+  ~BasicContourBuilder();
+  BasicContourBuilder(BasicContourBuilder&&) noexcept;
+  BasicContourBuilder& operator=(BasicContourBuilder&&) noexcept;
+
+  /// Announces that the receivers of the next Build calls are among these:
+  /// near ones then share what is found out about where their blockers are.
+  /// It changes no contour, only how often predicates are asked about pieces
+  /// that block nothing. Until the next call; an empty block ends it.
+  void StartBlock(std::span<const Receiver> receivers);
+
+  /// As ContourEngine::Build, into `contour`, whose storage is used again.
+  void Build(const ContourQuery& query, Contour& contour);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+using ContourBuilder = BasicContourBuilder<PredicateKind::kExact>;
+using UnfilteredContourBuilder =
+    BasicContourBuilder<PredicateKind::kUnfiltered>;
+
+extern template class BasicContourBuilder<PredicateKind::kExact>;
+extern template class BasicContourBuilder<PredicateKind::kUnfiltered>;
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_EDGES_CONTOUR_ENGINE_H_

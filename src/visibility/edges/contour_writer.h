@@ -1,0 +1,108 @@
+// Arcs in the view geometry's ids -> a Contour, which holds only the planes
+// and directions that its arcs use.
+
+#ifndef TRUELUX_VISIBILITY_EDGES_CONTOUR_WRITER_H_
+#define TRUELUX_VISIBILITY_EDGES_CONTOUR_WRITER_H_
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "visibility/contour.h"
+#include "visibility/edges/source_contour.h"
+
+namespace truelux {
+
+/// Writes the arcs of one receiver's sources, source by source.
+template <class Geometry>
+class ContourWriter {
+ public:
+  /// The arguments must outlive the object.
+  ContourWriter(const Scene& scene, const ConvexPieces& pieces,
+                const Geometry& geometry)
+      : scene_(scene), pieces_(pieces), geometry_(geometry) {}
+
+  /// Starts with an empty contour, which must stay where it is.
+  void Start(Contour& contour) {
+    contour.planes.clear();
+    contour.directions.clear();
+    contour.explicit_vectors.Clear();
+    contour.arcs.clear();
+    contour.sources.clear();
+    contour.statistics = {};
+    contour_ = &contour;
+    plane_index_.clear();
+    direction_index_.clear();
+  }
+
+  void WriteSource(int facet, std::span<const ViewArc> arcs) {
+    if (arcs.empty()) return;
+    plane_index_.resize(static_cast<std::size_t>(geometry_.plane_count()),
+                        kNotWritten);
+    direction_index_.resize(
+        static_cast<std::size_t>(geometry_.direction_count()), kNotWritten);
+    contour_->sources.push_back({facet, static_cast<int>(contour_->arcs.size()),
+                                 static_cast<int>(arcs.size())});
+    for (const ViewArc& arc : arcs)
+      WriteArc(arc);
+  }
+
+ private:
+  static constexpr int kNotWritten = -1;
+
+  void WriteArc(const ViewArc& view_arc) {
+    Arc arc;
+    arc.plane = PlaneIndex(view_arc.edge.plane);
+    arc.positive = view_arc.piece.positive;
+    arc.from = Position(view_arc.edge, view_arc.piece.begin);
+    arc.to = Position(view_arc.edge, view_arc.piece.end);
+    if (!arc.positive) std::swap(arc.from, arc.to);
+    if (view_arc.owner >= 0) {
+      const int facet =
+          pieces_.pieces()[static_cast<std::size_t>(view_arc.owner)].facet;
+      arc.edge_face = scene_.facets()[static_cast<std::size_t>(facet)].face + 1;
+    }
+    contour_->arcs.push_back(arc);
+  }
+
+  int Position(const ViewEdge& edge, const EdgePosition& position) {
+    if (position.plane == kFromEnd) return DirectionIndex(edge.from);
+    if (position.plane == kToEnd) return DirectionIndex(edge.to);
+    // With N a positive multiple of u x v, N x A is one of (A.u) v - (A.v) u,
+    // which points between u and v if A.u > 0 > A.v, else away from there.
+    contour_->directions.push_back({.kind = DirectionRecipe::Kind::kCrossing,
+                                    .negated = position.from == Sign::kNegative,
+                                    .a = PlaneIndex(edge.plane),
+                                    .b = PlaneIndex(position.plane)});
+    return static_cast<int>(contour_->directions.size()) - 1;
+  }
+
+  int PlaneIndex(int id) {
+    int& index = plane_index_[static_cast<std::size_t>(id)];
+    if (index == kNotWritten) {
+      index = static_cast<int>(contour_->planes.size());
+      contour_->planes.push_back(geometry_.plane(id));
+    }
+    return index;
+  }
+
+  int DirectionIndex(int id) {
+    int& index = direction_index_[static_cast<std::size_t>(id)];
+    if (index == kNotWritten) {
+      index = static_cast<int>(contour_->directions.size());
+      contour_->directions.push_back(geometry_.direction(id));
+    }
+    return index;
+  }
+
+  const Scene& scene_;
+  const ConvexPieces& pieces_;
+  const Geometry& geometry_;
+  Contour* contour_ = nullptr;
+  std::vector<int> plane_index_;      ///< per plane id, or kNotWritten
+  std::vector<int> direction_index_;  ///< per direction id, or kNotWritten
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_EDGES_CONTOUR_WRITER_H_

@@ -1,0 +1,246 @@
+#include "visibility/edges/source_contour.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace truelux {
+namespace {
+
+std::size_t Index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// With fewer blockers, looking for hidden ones costs more than it saves.
+constexpr std::size_t kManyBlockers = 32;
+
+}  // namespace
+
+template <class Geometry>
+SourceContour<Geometry>::SourceContour(const ConvexPieces& pieces,
+                                       Geometry& geometry,
+                                       ConeMaker<Geometry>& cones,
+                                       SourceParts<Geometry>& parts)
+    : pieces_(pieces), geometry_(geometry), cones_(cones), parts_(parts) {}
+
+/// Whether both sides of a source's edge are source: the pieces on both its
+/// sides survived the horizon.
+template <class Geometry>
+bool SourceContour<Geometry>::IsDiagonal(int edge) const {
+  for (int other = pieces_.NextSameEdge(edge); other != edge;
+       other = pieces_.NextSameEdge(other)) {
+    if (parts_.IsSource(pieces_.PieceOf(other))) return true;
+  }
+  return false;
+}
+
+/// Whether some other blocker has this edge, too, and lies on its other side.
+/// Seen from r both run counter-clockwise, so that they lie on opposite sides
+/// exactly if they run through the edge in opposite directions.
+template <class Geometry>
+bool SourceContour<Geometry>::IsInner(int edge) {
+  const auto start = [this](int e, int piece) {
+    // The corner where the edge starts, seen counter-clockwise from r.
+    const bool forward = cones_.ReceiverSide(piece) == Sign::kPositive;
+    return pieces_.corners()[Index(forward ? e : pieces_.NextCorner(e))];
+  };
+  int own_start = -1;
+  for (int other = pieces_.NextSameEdge(edge); other != edge;
+       other = pieces_.NextSameEdge(other)) {
+    const int piece = pieces_.PieceOf(other);
+    if (!parts_.IsBlocker(piece)) continue;
+    if (own_start < 0) own_start = start(edge, pieces_.PieceOf(edge));
+    if (start(other, piece) != own_start) return true;
+  }
+  return false;
+}
+
+template <class Geometry>
+void SourceContour<Geometry>::NumberEdges(std::span<Part> parts,
+                                          bool are_blockers, int& next) {
+  for (Part& part : parts) {
+    for (std::size_t k = 0; k < part.cone.size; ++k) {
+      const int edge = part.cone.edges[k];
+      const bool left_out =
+          edge != kNoEdge && (are_blockers ? IsInner(edge) : IsDiagonal(edge));
+      part.candidates[k] = left_out ? Part::kNoCandidate : next++;
+    }
+  }
+}
+
+/// Gives every edge its id, except those that are left out.
+template <class Geometry>
+void SourceContour<Geometry>::NumberCandidates() {
+  int next = 0;
+  NumberEdges(parts_.sources(), false, next);
+  NumberEdges(parts_.blockers(), true, next);
+}
+
+/// Whether a cover of the edge's own plane belongs to a candidate that owns
+/// the arcs there instead of candidate `id`.
+template <class Geometry>
+bool SourceContour<Geometry>::IsOwnedBefore(const Part& part,
+                                            const Cover& cover, int id) {
+  if (cover.side == Sign::kZero) return false;
+  const int owner = part.candidates[Index(cover.coincident)];
+  return owner != Part::kNoCandidate && owner < id;
+}
+
+/// Adds the interval of a blocker's edge that lies in the chosen cone of the
+/// source, where arcs can be, if there is one.
+template <class Geometry>
+void SourceContour<Geometry>::StartEdge(std::size_t k) {
+  const ViewEdge& edge = edges_[k];
+  const Part& source = parts_.chosen();
+  parts_.SidesOfSource(edge.from);
+  BundleSides& to = parts_.SidesOfSource(edge.to);
+  // Asked for last: the first question may have moved the second's answer.
+  BundleSides& from = parts_.SidesOfSource(edge.from);
+  const std::uint32_t all = geometry_.BundleMask(source.cone.bundle);
+  if ((from.positive & to.positive) == all) {
+    ranges_[k].Start(kEdgeFrom, kEdgeTo);
+    return;
+  }
+  Cover cover;
+  if (!CoverOf(geometry_, edge, source.cone, from, to, cover)) return;
+  if (cover.side != Sign::kZero) {
+    // In the plane of a source's edge, that edge owns the arcs. On a diagonal
+    // the cone on the other side of the blocker can be seen.
+    const bool is_diagonal =
+        source.candidates[Index(cover.coincident)] == Part::kNoCandidate;
+    if (!is_diagonal || cover.side == Sign::kPositive) return;
+  }
+  ranges_[k].Start(cover.begin, cover.end);
+}
+
+/// Starts the edges of a blocker with what lies in the cones of the source.
+template <class Geometry>
+void SourceContour<Geometry>::StartBlocker(const Owner& owner) {
+  const auto boxes = parts_.source_boxes();
+  for (std::size_t s = 0; s < boxes.size(); ++s) {
+    if (!parts_.blocker_boxes()[owner.index].Meets(boxes[s])) continue;
+    // The choice of one cone stands for all blockers.
+    if (boxes.size() > 1) parts_.ChooseCone(s);
+    for (std::size_t k = 0; k < owner.part->cone.size; ++k) {
+      const bool is_near = owner.part->candidates[k] != Part::kNoCandidate &&
+                           boxes_[k].Meets(boxes[s]);
+      if (is_near) StartEdge(k);
+    }
+  }
+}
+
+/// Starts the edges of a part; a bit for every edge that may hold arcs.
+template <class Geometry>
+std::uint32_t SourceContour<Geometry>::StartEdges(const Owner& owner) {
+  const Cone& cone = owner.part->cone;
+  for (std::size_t k = 0; k < cone.size; ++k) {
+    edges_[k] = {cone.planes[k], cone.From(k), cone.To(k)};
+    boxes_[k] = parts_.BoxOfEdge(edges_[k].from, edges_[k].to);
+    // Along its own edge a source holds the inner side, a blocker hides it.
+    needs_positive_[k] = !owner.is_blocker;
+    ranges_[k].Clear();
+    if (!owner.is_blocker && owner.part->candidates[k] != Part::kNoCandidate)
+      ranges_[k].Start(kEdgeFrom, kEdgeTo);
+  }
+  if (owner.is_blocker) StartBlocker(owner);
+  std::uint32_t open = 0;
+  for (std::size_t k = 0; k < cone.size; ++k)
+    open |= (ranges_[k].empty() ? 0U : 1U) << k;
+  return open;
+}
+
+/// Takes what blocker p hides from the open edges of a part; closes those of
+/// which nothing is left. False if none is.
+template <class Geometry>
+bool SourceContour<Geometry>::Hide(const Owner& owner, std::size_t p,
+                                   std::uint32_t& open) {
+  // Loops of a fixed length and no branches: nothing here can be predicted.
+  const Cone& own = owner.part->cone;
+  const std::size_t size = own.size;
+  const auto next = [size](std::size_t k) { return k + 1 < size ? k + 1 : 0; };
+  const ImageBox& box = parts_.blocker_boxes()[p];
+  std::uint32_t near = 0;
+  for (std::size_t k = 0; k < size; ++k)
+    near |= (boxes_[k].Meets(box) ? 1U : 0U) << k;
+  near &= open;
+  if (near == 0) return true;
+  Part& blocker = parts_.blockers()[p];
+  cones_.Complete(blocker.cone);
+  for (std::size_t k = 0; k < size; ++k) {
+    geometry_.FilterSides(blocker.cone.bundle, own.directions[k], sides_[k]);
+  }
+  for (std::size_t k = 0; k < size; ++k) {
+    const bool outside = (sides_[k].negative & sides_[next(k)].negative) != 0;
+    near &= ~((outside ? 1U : 0U) << k);
+  }
+  for (std::uint32_t bits = near; bits != 0; bits &= bits - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+    Cover cover;
+    if (!CoverOf(geometry_, edges_[k], blocker.cone, sides_[k], sides_[next(k)],
+                 cover)) {
+      continue;
+    }
+    const bool hides = cover.side == Sign::kZero ||
+                       (cover.side == Sign::kPositive) == needs_positive_[k] ||
+                       IsOwnedBefore(blocker, cover, owner.part->candidates[k]);
+    if (hides && !ranges_[k].Remove(geometry_, edges_[k], cover)) {
+      open &= ~(1U << k);
+    }
+  }
+  return open != 0;
+}
+
+template <class Geometry>
+void SourceContour<Geometry>::AddArc(const Owner& owner, std::size_t k,
+                                     const VisiblePiece& piece) {
+  const bool horizon = edges_[k].plane == cones_.horizon();
+  const Cone& cone = owner.part->cone;
+  arcs_->push_back({edges_[k], piece, horizon ? -1 : cone.piece,
+                    owner.is_blocker ? kNoEdge : cone.edges[k]});
+}
+
+/// The arcs on the edges of a part. Exactly one side of an edge can see the source, so that what
+/// is visible is what the blockers leave of that side: a blocker hides the side
+/// on which it is; an edge of a source bounds the polygon or is left out as a
+/// diagonal, and other cones of a simple polygon, clipped or not, do not reach
+/// it.
+template <class Geometry>
+void SourceContour<Geometry>::SweepPart(const Owner& owner) {
+  cones_.Complete(owner.part->cone);
+  std::uint32_t open = StartEdges(owner);
+  if (open == 0) return;
+  const ImageBox& box = owner.is_blocker ? parts_.blocker_boxes()[owner.index]
+                                         : parts_.source_boxes()[owner.index];
+  const bool any_left = bins_.ForEach(box, [&](std::size_t p) {
+    if (owner.is_blocker && p == owner.index) return true;
+    return Hide(owner, p, open);
+  });
+  if (!any_left) return;
+  for (; open != 0; open &= open - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(open));
+    ranges_[k].ForEachLeft(
+        geometry_, edges_[k],
+        [&](const EdgePosition& begin, const EdgePosition& end) {
+          AddArc(owner, k, {begin, end, needs_positive_[k]});
+        });
+  }
+}
+
+template <class Geometry>
+void SourceContour<Geometry>::AppendArcs(std::vector<ViewArc>& arcs) {
+  if (parts_.hidden()) return;
+  arcs_ = &arcs;
+  bins_.Build(parts_.blocker_boxes(), parts_.source_box());
+  if (parts_.blockers().size() >= kManyBlockers) {
+    parts_.DropHiddenBlockers(bins_);
+  }
+  NumberCandidates();
+  for (std::size_t s = 0; s < parts_.sources().size(); ++s)
+    SweepPart({&parts_.sources()[s], s, false});
+  for (std::size_t p = 0; p < parts_.blockers().size(); ++p)
+    SweepPart({&parts_.blockers()[p], p, true});
+}
+
+template class SourceContour<ViewGeometry>;
+template class SourceContour<UnfilteredViewGeometry>;
+
+}  // namespace truelux

@@ -1,0 +1,79 @@
+// The visible contour of one source from one receiver (method.md, section 4).
+
+#ifndef TRUELUX_VISIBILITY_EDGES_SOURCE_CONTOUR_H_
+#define TRUELUX_VISIBILITY_EDGES_SOURCE_CONTOUR_H_
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "visibility/edges/coverage.h"
+#include "visibility/edges/open_range.h"
+#include "visibility/edges/part_bins.h"
+#include "visibility/edges/source_parts.h"
+
+namespace truelux {
+
+/// An arc in terms of the view geometry's ids, before it joins a Contour.
+struct ViewArc {
+  ViewEdge edge;
+  VisiblePiece piece;
+  int owner = -1;          ///< the piece whose edge it is; -1: the horizon
+  int own_edge = kNoEdge;  ///< the source's edge that it lies on, or kNoEdge
+};
+
+/// Finds the arcs of a source from its parts.
+template <class Geometry>
+class SourceContour {
+ public:
+  /// The arguments must outlive the object.
+  SourceContour(const ConvexPieces& pieces, Geometry& geometry,
+                ConeMaker<Geometry>& cones, SourceParts<Geometry>& parts);
+
+  /// Appends the arcs that bound what is visible of the source that `parts`
+  /// holds; none if nothing is.
+  void AppendArcs(std::vector<ViewArc>& arcs);
+
+ private:
+  /// A part whose edges are being swept, and which it is.
+  struct Owner {
+    Part* part = nullptr;
+    std::size_t index = 0;  ///< among the blockers or the sources
+    bool is_blocker = false;
+  };
+
+  void NumberCandidates();
+  void NumberEdges(std::span<Part> parts, bool are_blockers, int& next);
+  bool IsDiagonal(int edge) const;
+  bool IsInner(int edge);
+  static bool IsOwnedBefore(const Part& part, const Cover& cover, int id);
+
+  void SweepPart(const Owner& owner);
+  std::uint32_t StartEdges(const Owner& owner);
+  void StartBlocker(const Owner& owner);
+  void StartEdge(std::size_t k);
+  bool Hide(const Owner& owner, std::size_t p, std::uint32_t& open);
+  void AddArc(const Owner& owner, std::size_t k, const VisiblePiece& piece);
+
+  const ConvexPieces& pieces_;
+  Geometry& geometry_;
+  ConeMaker<Geometry>& cones_;
+  SourceParts<Geometry>& parts_;
+  PartBins bins_;
+  std::vector<ViewArc>* arcs_ = nullptr;  ///< of the call that is running
+
+  // Of the part that is being swept, per edge of its cone.
+  std::array<OpenRanges<Geometry>, Cone::kMaxEdges> ranges_;
+  std::array<ViewEdge, Cone::kMaxEdges> edges_{};
+  std::array<ImageBox, Cone::kMaxEdges> boxes_;
+  std::array<bool, Cone::kMaxEdges> needs_positive_{};
+  std::array<BundleSides, Cone::kMaxEdges> sides_;
+};
+
+extern template class SourceContour<ViewGeometry>;
+extern template class SourceContour<UnfilteredViewGeometry>;
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_EDGES_SOURCE_CONTOUR_H_

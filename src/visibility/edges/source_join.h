@@ -1,0 +1,128 @@
+// Arcs between two sources of the same emission add nothing: what one sees of
+// them ends where what the other sees begins.
+
+#ifndef TRUELUX_VISIBILITY_EDGES_SOURCE_JOIN_H_
+#define TRUELUX_VISIBILITY_EDGES_SOURCE_JOIN_H_
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "truelux/scene.h"
+
+#include "scene/index/convex_pieces.h"
+#include "visibility/edges/source_contour.h"
+
+namespace truelux {
+
+/// Finds equal opposite arcs on the edges that emitting faces share. Exact: an
+/// arc is dropped only together with the other one of its pair.
+template <class Geometry>
+class SourceJoin {
+ public:
+  /// The arguments must outlive the object.
+  SourceJoin(const Scene& scene, const ConvexPieces& pieces,
+             const Geometry& geometry)
+      : scene_(scene), pieces_(pieces), geometry_(geometry) {}
+
+  /// Sets dropped[i] for each of the arcs of one receiver's sources that goes.
+  void FindPairs(const std::vector<ViewArc>& arcs, std::vector<bool>& dropped) {
+    dropped.assign(arcs.size(), false);
+    open_.clear();
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      const int edge = arcs[i].own_edge;
+      if (edge != kNoEdge && IsShared(edge)) open_.push_back({Name(edge), i});
+    }
+    // Arcs of one edge come together, in their order.
+    std::ranges::sort(open_, [](const Open& a, const Open& b) {
+      return a.edge != b.edge ? a.edge < b.edge : a.arc < b.arc;
+    });
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      const std::size_t first = open_[i].arc;
+      if (dropped[first]) continue;
+      for (std::size_t k = i + 1;
+           k < open_.size() && open_[k].edge == open_[i].edge; ++k) {
+        const std::size_t second = open_[k].arc;
+        if (!dropped[second] && AreOpposite(arcs[first], arcs[second])) {
+          dropped[first] = true;
+          dropped[second] = true;
+          break;
+        }
+      }
+    }
+  }
+
+ private:
+  /// An arc on a shared edge.
+  struct Open {
+    int edge;  ///< the same number for all edges between the same vertices
+    std::size_t arc;
+  };
+
+  [[nodiscard]] const Rgb& EmissionAt(int edge) const {
+    const Piece& piece =
+        pieces_.pieces()[static_cast<std::size_t>(pieces_.PieceOf(edge))];
+    const Facet& facet = scene_.facets()[static_cast<std::size_t>(piece.facet)];
+    return scene_.faces()[static_cast<std::size_t>(facet.face)].emission;
+  }
+
+  /// Whether some other piece with this edge emits the same.
+  [[nodiscard]] bool IsShared(int edge) const {
+    for (int other = pieces_.NextSameEdge(edge); other != edge;
+         other = pieces_.NextSameEdge(other)) {
+      if (EmissionAt(other) == EmissionAt(edge)) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] int Name(int edge) const {
+    int least = edge;
+    for (int other = pieces_.NextSameEdge(edge); other != edge;
+         other = pieces_.NextSameEdge(other)) {
+      least = std::min(least, other);
+    }
+    return least;
+  }
+
+  /// Whether two arcs of the same edge cover the same part of it, seen from
+  /// its two sides. A source's own edge runs counter-clockwise around it and
+  /// shows it on the positive side, so that two opposite ones run through the
+  /// edge in opposite directions.
+  [[nodiscard]] bool AreOpposite(const ViewArc& a, const ViewArc& b) const {
+    return EmissionAt(a.own_edge) == EmissionAt(b.own_edge) &&
+           a.piece.positive && b.piece.positive &&
+           IsReversed(a.edge.plane, b.edge.plane) &&
+           IsSame(a.edge, a.piece.begin, b.edge, b.piece.end) &&
+           IsSame(a.edge, a.piece.end, b.edge, b.piece.begin);
+  }
+
+  [[nodiscard]] bool IsReversed(int plane, int other) const {
+    const PlaneRecipe& p = geometry_.plane(plane);
+    const PlaneRecipe& q = geometry_.plane(other);
+    return p.a == q.b && p.b == q.a && p.negated == q.negated;
+  }
+
+  [[nodiscard]] bool IsSame(const ViewEdge& edge_a, const EdgePosition& a,
+                            const ViewEdge& edge_b,
+                            const EdgePosition& b) const {
+    if (a.plane >= 0 && b.plane >= 0) {
+      return geometry_.SameEdge(a.plane, b.plane);
+    }
+    if (a.plane >= 0 || b.plane >= 0) return false;
+    return geometry_.direction(End(edge_a, a)) ==
+           geometry_.direction(End(edge_b, b));
+  }
+
+  static int End(const ViewEdge& edge, const EdgePosition& position) {
+    return position.plane == kFromEnd ? edge.from : edge.to;
+  }
+
+  const Scene& scene_;
+  const ConvexPieces& pieces_;
+  const Geometry& geometry_;
+  std::vector<Open> open_;
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_EDGES_SOURCE_JOIN_H_

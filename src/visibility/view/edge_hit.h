@@ -1,0 +1,22 @@
+// An edge that meets a direction.
+
+#ifndef TRUELUX_VISIBILITY_VIEW_EDGE_HIT_H_
+#define TRUELUX_VISIBILITY_VIEW_EDGE_HIT_H_
+
+#include "exact/number.h"
+#include "exact/vec3.h"
+#include "visibility/view/seen_edge.h"
+
+namespace truelux {
+
+/// An edge, or the line where two faces meet, that passes through a direction
+/// or ends there.
+struct EdgeHit {
+  Vec3<Exact> plane;  ///< normal of the edge's plane through r
+  int vertex = -1;    ///< the scene vertex where it ends there, or -1
+  SeenEdge edge;
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_VIEW_EDGE_HIT_H_

@@ -1,0 +1,233 @@
+#include "visibility/view/glued_view.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "exact/recipe_evaluator.h"
+
+namespace truelux {
+namespace {
+
+std::size_t Index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Which numbers have been found to be the same.
+class Partition {
+ public:
+  int Add() {
+    parent_.push_back(static_cast<int>(parent_.size()));
+    return parent_.back();
+  }
+
+  int Root(int i) {
+    while (parent_[Index(i)] != i) {
+      parent_[Index(i)] = parent_[Index(parent_[Index(i)])];
+      i = parent_[Index(i)];
+    }
+    return i;
+  }
+
+  void Unite(int i, int j) { parent_[Index(Root(i))] = Root(j); }
+
+  [[nodiscard]] int size() const { return static_cast<int>(parent_.size()); }
+
+ private:
+  std::vector<int> parent_;
+};
+
+/// What is on one side of an edge.
+struct EdgeSide {
+  int facet = kOutside;
+  int part = -1;  ///< number over all charts
+};
+
+/// A piece of a cut between two charts, as one of them has it.
+struct CutPiece {
+  int from = -1;  ///< the end nearer to the receiver's normal
+  int to = -1;
+  EdgeSide side;
+};
+
+/// The quarter of a great circle from the receiver's normal to the horizon
+/// that two charts share.
+struct Cut {
+  Vec3<Exact> normal;           ///< normal x its end on the horizon
+  std::vector<CutPiece> left;   ///< of the chart on the side of `normal`
+  std::vector<CutPiece> right;  ///< of the other
+};
+
+class Gluing {
+ public:
+  explicit Gluing(const ContourQuery& query)
+      : query_(query), exact_(ViewOf(query)) {}
+
+  void Add(const ChartView& view) {
+    const ViewMap& map = view.map;
+    part_of_.clear();
+    for (int i = 0; i < map.part_count; ++i)
+      part_of_.push_back(partition_.Add());
+    vertex_of_.clear();
+    for (const ImageDirection& d : map.vertices)
+      vertex_of_.push_back(VertexOf(view.chart.WorldFromImage(d)));
+    for (const MapEdge& edge : map.edges)
+      AddMapEdge(view, edge);
+  }
+
+  GluedView Finish() {
+    for (auto& entry : cuts_)
+      JoinCut(entry.second);
+    for (GluedVertex& vertex : view_.vertices) {
+      std::ranges::sort(vertex.around);
+      const auto rest = std::ranges::unique(vertex.around);
+      vertex.around.erase(rest.begin(), rest.end());
+    }
+    NumberRegions();
+    return std::move(view_);
+  }
+
+ private:
+  int VertexOf(const Vec3<Exact>& direction) {
+    PrimitiveVector key = MakePrimitive(direction);
+    const auto [entry, is_new] =
+        index_.try_emplace(key, static_cast<int>(view_.vertices.size()));
+    if (is_new) {
+      const bool on_horizon = Dot(exact_.ReceiverNormal(), direction).is_zero();
+      view_.vertices.push_back({direction, std::move(key), on_horizon, {}});
+    }
+    return entry->second;
+  }
+
+  const Vec3<Exact>& Direction(int vertex) const {
+    return view_.vertices[Index(vertex)].direction;
+  }
+
+  void AddMapEdge(const ChartView& view, const MapEdge& edge) {
+    const auto side = [&](int facet, int part) {
+      return EdgeSide{facet, part_of_[Index(part)]};
+    };
+    EdgeSide left = side(edge.left, edge.left_part);
+    EdgeSide right = side(edge.right, edge.right_part);
+    int from = vertex_of_[Index(edge.from)];
+    int to = vertex_of_[Index(edge.to)];
+    if (left.facet == kOutside) {
+      std::swap(left, right);
+      std::swap(from, to);
+    }
+    const bool on_wall = right.facet == kOutside;
+    if (!on_wall || (view_.vertices[Index(from)].on_horizon &&
+                     view_.vertices[Index(to)].on_horizon)) {
+      AddArc(from, to, left, right);
+    } else {
+      AddCutPiece(view, edge, {from, to, left});
+    }
+  }
+
+  /// piece: with its chart on the left, whichever end is first.
+  void AddCutPiece(const ChartView& view, const MapEdge& edge, CutPiece piece) {
+    const ViewMap& map = view.map;
+    const bool on_a = ViewChart::OnCutA(map.vertices[Index(edge.from)]) &&
+                      ViewChart::OnCutA(map.vertices[Index(edge.to)]);
+    const ImageDirection corner{Exact(on_a ? 0 : 1), Exact(on_a ? 1 : 0),
+                                Exact(1)};
+    const Vec3<Exact> end = view.chart.WorldFromImage(corner);
+    Cut& cut = cuts_[MakePrimitive(end)];
+    if (cut.left.empty() && cut.right.empty())
+      cut.normal = Cross(exact_.ReceiverNormal(), end);
+    if (IsBefore(cut, piece.from, piece.to)) {
+      cut.left.push_back(piece);
+    } else {
+      std::swap(piece.from, piece.to);
+      cut.right.push_back(piece);
+    }
+  }
+
+  bool IsBefore(const Cut& cut, int a, int b) const {
+    return SignOf(Dot(Cross(Direction(a), Direction(b)), cut.normal)) ==
+           Sign::kPositive;
+  }
+
+  /// Both charts have pieces all along a cut; where they show different faces
+  /// there is a border.
+  void JoinCut(Cut& cut) {
+    const auto before = [&](const CutPiece& a, const CutPiece& b) {
+      return IsBefore(cut, a.from, b.from);
+    };
+    std::ranges::sort(cut.left, before);
+    std::ranges::sort(cut.right, before);
+    auto left = cut.left.begin();
+    auto right = cut.right.begin();
+    int from = left != cut.left.end() ? left->from : -1;
+    while (left != cut.left.end() && right != cut.right.end()) {
+      const bool same_end = left->to == right->to;
+      const bool left_first = same_end || IsBefore(cut, left->to, right->to);
+      const int to = left_first ? left->to : right->to;
+      AddArc(from, to, left->side, right->side);
+      from = to;
+      if (same_end || !left_first) ++right;
+      if (left_first) ++left;
+    }
+    if (left != cut.left.end() || right != cut.right.end())
+      throw std::logic_error("two charts differ in how long their cut is");
+  }
+
+  int FaceOf(int facet) const {
+    return facet < 0 ? facet : query_.scene.facets()[Index(facet)].face;
+  }
+
+  void AddArc(int from, int to, const EdgeSide& left, const EdgeSide& right) {
+    for (const int vertex : {from, to}) {
+      for (const EdgeSide& side : {left, right}) {
+        if (side.facet != kOutside)
+          view_.vertices[Index(vertex)].around.push_back(side.facet);
+      }
+    }
+    if (FaceOf(left.facet) == FaceOf(right.facet)) {
+      partition_.Unite(left.part, right.part);
+      return;
+    }
+    view_.arcs.push_back(
+        {from, to, left.facet, right.facet, left.part, right.part, from, to});
+  }
+
+  /// In the order of the arcs that bound them.
+  void NumberRegions() {
+    std::vector<int> number(Index(partition_.size()), -1);
+    const auto renumber = [&](int& region) {
+      int& own = number[Index(partition_.Root(region))];
+      if (own < 0) own = view_.region_count++;
+      region = own;
+    };
+    for (GluedArc& arc : view_.arcs) {
+      renumber(arc.left_region);
+      if (arc.on_horizon()) {
+        arc.right_region = -1;
+      } else {
+        renumber(arc.right_region);
+      }
+    }
+  }
+
+  const ContourQuery& query_;
+  RecipeEvaluator<Exact> exact_;
+  GluedView view_;
+  std::map<PrimitiveVector, int> index_;
+  Partition partition_;                  ///< the parts of all charts
+  std::map<PrimitiveVector, Cut> cuts_;  ///< by their ends on the horizon
+  std::vector<int> part_of_;             ///< per part of the chart being added
+  std::vector<int> vertex_of_;  ///< per vertex of the chart being added
+};
+
+}  // namespace
+
+GluedView Glue(const ContourQuery& query, std::span<const ChartView> charts) {
+  Gluing gluing(query);
+  for (const ChartView& chart : charts)
+    gluing.Add(chart);
+  return gluing.Finish();
+}
+
+}  // namespace truelux

@@ -1,0 +1,22 @@
+// The borders of regions, arc after arc.
+
+#ifndef TRUELUX_VISIBILITY_VIEW_VIEW_LOOPS_H_
+#define TRUELUX_VISIBILITY_VIEW_VIEW_LOOPS_H_
+
+#include <span>
+#include <vector>
+
+#include "visibility/view/glued_view.h"
+#include "visibility/view/view_data.h"
+
+namespace truelux {
+
+/// Entry r: the loops around region r. planes: entry a is the exact normal of
+/// arc a's plane, to its left. At a vertex a loop goes on with the next arc
+/// around it, so that nothing but the region lies between the two.
+std::vector<std::vector<ViewLoop>> LoopsOf(const GluedView& view,
+                                           std::span<const Vec3<Exact>> planes);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_VIEW_VIEW_LOOPS_H_

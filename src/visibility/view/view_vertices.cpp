@@ -1,0 +1,202 @@
+#include "visibility/view/view_vertices.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+#include "visibility/coincidence.h"
+
+namespace truelux {
+namespace {
+
+std::size_t Index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// The end of an arc's first or last piece that is not the vertex; an arc that
+/// was not joined yet.
+int OtherEnd(const GluedArc& arc, int vertex) {
+  return arc.from == vertex ? arc.to : arc.from;
+}
+
+bool IsStraight(const Vec3<Exact>& before, const Vec3<Exact>& here,
+                const Vec3<Exact>& after) {
+  const Vec3<Exact> plane = Cross(before, here);
+  return Dot(plane, after).is_zero() &&
+         SignOf(Dot(plane, Cross(here, after))) == Sign::kPositive;
+}
+
+/// The arc run through the other way.
+GluedArc Turned(const GluedArc& a) {
+  return {a.to,           a.from,        a.right,    a.left,
+          a.right_region, a.left_region, a.piece_to, a.piece_from};
+}
+
+}  // namespace
+
+ArcsAround ArcsAroundVertices(const GluedView& view) {
+  ArcsAround around(view.vertices.size());
+  for (std::size_t a = 0; a < view.arcs.size(); ++a) {
+    for (const int vertex : {view.arcs[a].from, view.arcs[a].to}) {
+      if (vertex >= 0) around[Index(vertex)].push_back(static_cast<int>(a));
+    }
+  }
+  return around;
+}
+
+ViewVertices::ViewVertices(const ContourQuery& query,
+                           std::span<const FacetView> views,
+                           EdgesThrough& edges)
+    : query_(query), views_(views), edges_(edges), exact_(ViewOf(query)) {
+  for (int v = 0; v < static_cast<int>(query.scene.vertices().size()); ++v) {
+    const Vec3<Exact> d = exact_.FromReceiver(v);
+    if (SignOf(Dot(exact_.ReceiverNormal(), d)) != Sign::kNegative)
+      scene_vertices_.insert(MakePrimitive(d));
+  }
+}
+
+bool ViewVertices::IsSource(int facet) const {
+  return facet >= 0 && views_[Index(facet)].is_source;
+}
+
+bool ViewVertices::CanJoin(const GluedView& view, int vertex,
+                           std::span<const int> arcs) {
+  if (arcs.size() != 2 || arcs[0] == arcs[1]) return false;
+  const GluedArc& a = view.arcs[Index(arcs[0])];
+  const GluedArc& b = view.arcs[Index(arcs[1])];
+  const auto direction = [&view](int v) -> const Vec3<Exact>& {
+    return view.vertices[Index(v)].direction;
+  };
+  if (!IsStraight(direction(OtherEnd(a, vertex)), direction(vertex),
+                  direction(OtherEnd(b, vertex)))) {
+    return false;
+  }
+  const GluedVertex& here = view.vertices[Index(vertex)];
+  if (!scene_vertices_.contains(here.key)) return true;
+  const bool bounds_source = IsSource(a.left) || IsSource(a.right) ||
+                             IsSource(b.left) || IsSource(b.right);
+  return Describe(here, bounds_source).vertex.kind != VertexKind::kIntrinsic;
+}
+
+void ViewVertices::JoinArcs(GluedView& view) {
+  const ArcsAround around = ArcsAroundVertices(view);
+  std::vector<bool> joins;
+  for (std::size_t v = 0; v < around.size(); ++v)
+    joins.push_back(CanJoin(view, static_cast<int>(v), around[v]));
+  std::vector<GluedArc> joined;
+  std::vector<bool> done(view.arcs.size(), false);
+  /// Lengthens an arc at its end as far as it goes on.
+  const auto extend = [&](GluedArc& arc, int last) {
+    while (joins[Index(arc.to)]) {
+      const std::vector<int>& there = around[Index(arc.to)];
+      const int next = there[0] == last ? there[1] : there[0];
+      if (done[Index(next)]) break;  // once around the horizon
+      done[Index(next)] = true;
+      arc.to = OtherEnd(view.arcs[Index(next)], arc.to);
+      last = next;
+    }
+  };
+  for (std::size_t a = 0; a < view.arcs.size(); ++a) {
+    if (done[a]) continue;
+    done[a] = true;
+    GluedArc arc = view.arcs[a];
+    extend(arc, static_cast<int>(a));
+    arc = Turned(arc);
+    extend(arc, static_cast<int>(a));
+    arc = Turned(arc);
+    if (arc.from == arc.to && joins[Index(arc.from)]) arc.from = arc.to = -1;
+    joined.push_back(arc);
+  }
+  view.arcs = std::move(joined);
+}
+
+/// Whether just one source borders on a vertex, and its border goes straight
+/// through it: then it is no vertex of that border.
+bool ViewVertices::PassesStraight(const GluedView& view, int vertex,
+                                  std::span<const int> arcs) const {
+  std::vector<std::pair<int, const GluedArc*>> borders;
+  for (const int a : arcs) {
+    const GluedArc& arc = view.arcs[Index(a)];
+    for (const int facet : {arc.left, arc.right}) {
+      if (!IsSource(facet)) continue;
+      borders.emplace_back(query_.scene.facets()[Index(facet)].face, &arc);
+    }
+  }
+  if (borders.size() != 2 || borders[0].first != borders[1].first) return false;
+  // All of the horizon is straight, and its arcs can be longer than pi.
+  if (borders[0].second->on_horizon() && borders[1].second->on_horizon())
+    return true;
+  const auto beyond = [&](const GluedArc& arc) -> const Vec3<Exact>& {
+    const int end = arc.from == vertex ? arc.piece_to : arc.piece_from;
+    return view.vertices[Index(end)].direction;
+  };
+  return IsStraight(beyond(*borders[0].second),
+                    view.vertices[Index(vertex)].direction,
+                    beyond(*borders[1].second));
+}
+
+WholeViewVertex ViewVertices::Classify(const GluedView& view, int vertex,
+                                       std::span<const int> arcs) {
+  const GluedVertex& here = view.vertices[Index(vertex)];
+  const bool any_source = std::ranges::any_of(arcs, [&](int a) {
+    const GluedArc& arc = view.arcs[Index(a)];
+    return IsSource(arc.left) || IsSource(arc.right);
+  });
+  if (!any_source) return Describe(here, false);
+  WholeViewVertex result = Describe(here, true);
+  if (result.vertex.kind != VertexKind::kIntrinsic &&
+      PassesStraight(view, vertex, arcs)) {
+    return Describe(here, false);
+  }
+  return result;
+}
+
+std::vector<EdgeHit> ViewVertices::HitsOf(const GluedVertex& vertex,
+                                          bool bounds_source) {
+  edges_.Look(vertex.direction);
+  if (bounds_source) {
+    std::vector<EdgeHit> hits;
+    for (const int facet : vertex.around) {
+      if (!IsSource(facet)) continue;
+      std::ranges::move(edges_.OfSource(facet), std::back_inserter(hits));
+    }
+    return hits;
+  }
+  int farthest = vertex.around.front();  // -1, nothing, comes first
+  for (const int facet : vertex.around) {
+    if (farthest >= 0 && edges_.DepthOrder(facet, farthest, vertex.direction) ==
+                             Sign::kPositive) {
+      farthest = facet;
+    }
+  }
+  return edges_.NotBehind(farthest);
+}
+
+WholeViewVertex ViewVertices::Describe(const GluedVertex& vertex,
+                                       bool bounds_source) {
+  Coincidence c;
+  WholeViewVertex result;
+  const Vec3<Exact> normal = exact_.ReceiverNormal();
+  for (const EdgeHit& hit : HitsOf(vertex, bounds_source)) {
+    c.Add(hit.plane, hit.vertex, normal);
+    result.edges.push_back(hit.edge);
+  }
+  std::ranges::sort(result.edges);
+  const auto rest = std::ranges::unique(result.edges);
+  result.edges.erase(rest.begin(), rest.end());
+  result.vertex.direction = ToDouble(vertex.key);
+  c.Describe(vertex.on_horizon, result.vertex);
+  result.bounds_source = bounds_source;
+  result.planes_with_hidden = result.vertex.planes;
+  if (result.vertex.conjunctive) {
+    for (const EdgeHit& hit : edges_.NotBehind(-1))
+      c.Add(hit.plane, hit.vertex, normal);
+    ContourVertex all;
+    c.Describe(vertex.on_horizon, all);
+    result.planes_with_hidden = all.planes;
+  }
+  return result;
+}
+
+}  // namespace truelux

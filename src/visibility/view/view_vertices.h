@@ -1,0 +1,59 @@
+// What the vertices of a whole view are.
+
+#ifndef TRUELUX_VISIBILITY_VIEW_VIEW_VERTICES_H_
+#define TRUELUX_VISIBILITY_VIEW_VIEW_VERTICES_H_
+
+#include <set>
+#include <span>
+#include <vector>
+
+#include "exact/recipe_evaluator.h"
+#include "visibility/view/edges_through.h"
+#include "visibility/view/glued_view.h"
+#include "visibility/view/view_data.h"
+
+namespace truelux {
+
+/// Where the arcs of a view end: per vertex their indices, one that starts and
+/// ends there twice.
+using ArcsAround = std::vector<std::vector<int>>;
+
+ArcsAround ArcsAroundVertices(const GluedView& view);
+
+/// Classifies the vertices of a view and joins the arcs that go on straight.
+class ViewVertices {
+ public:
+  /// The arguments must outlive the object.
+  ViewVertices(const ContourQuery& query, std::span<const FacetView> views,
+               EdgesThrough& edges);
+
+  /// Joins two arcs where nothing but they meet, one goes on as the other, and
+  /// no scene vertex is there that could show. An arc of the horizon may become
+  /// the whole of it: then from = to, -1 if no vertex is left on it. Vertices
+  /// where no arc is left stay.
+  void JoinArcs(GluedView& view);
+
+  /// What a vertex is. arcs: the indices of those that end there.
+  WholeViewVertex Classify(const GluedView& view, int vertex,
+                           std::span<const int> arcs);
+
+ private:
+  [[nodiscard]] bool IsSource(int facet) const;
+  [[nodiscard]] bool CanJoin(const GluedView& view, int vertex,
+                             std::span<const int> arcs);
+  [[nodiscard]] bool PassesStraight(const GluedView& view, int vertex,
+                                    std::span<const int> arcs) const;
+  WholeViewVertex Describe(const GluedVertex& vertex, bool bounds_source);
+  [[nodiscard]] std::vector<EdgeHit> HitsOf(const GluedVertex& vertex,
+                                            bool bounds_source);
+
+  const ContourQuery& query_;
+  std::span<const FacetView> views_;
+  EdgesThrough& edges_;
+  RecipeEvaluator<Exact> exact_;
+  std::set<PrimitiveVector> scene_vertices_;  ///< the directions to them
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_VIEW_VIEW_VERTICES_H_

@@ -1,0 +1,198 @@
+#include "visibility/view/whole_view.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "exact/recipe_evaluator.h"
+#include "visibility/arrangement/arrangement_view.h"
+#include "visibility/view/edges_through.h"
+#include "visibility/view/glued_view.h"
+#include "visibility/view/view_loops.h"
+#include "visibility/view/view_vertices.h"
+
+namespace truelux {
+namespace {
+
+std::size_t Index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Puts the public view together.
+class ViewAssembly {
+ public:
+  ViewAssembly(const ContourQuery& query, std::span<const FacetView> views,
+               const GluedView& glued, const EdgesThrough& edges)
+      : query_(query),
+        views_(views),
+        glued_(glued),
+        edges_(edges),
+        exact_(ViewOf(query)) {}
+
+  WholeView Assemble(ViewVertices& vertices) {
+    for (const GluedArc& arc : glued_.arcs)
+      AddArc(arc);
+    AddRegions();
+    AddVertices(vertices);
+    return std::move(view_);
+  }
+
+ private:
+  void AddArc(const GluedArc& glued) {
+    WholeViewArc arc;
+    arc.from = glued.from;
+    arc.to = glued.to;
+    arc.left = glued.left_region;
+    arc.right = glued.right_region;
+    SetEdge(glued, arc);
+    Vec3<Exact> plane = PlaneOf(arc);
+    if (arc.kind != ViewArcKind::kHorizon &&
+        SignOf(Dot(plane, Cross(Direction(glued.piece_from),
+                                Direction(glued.piece_to)))) ==
+            Sign::kNegative) {
+      plane = -plane;
+    }
+    arc.at_least_pi =
+        arc.from == arc.to ||
+        SignOf(Dot(plane, Cross(Direction(arc.from), Direction(arc.to)))) !=
+            Sign::kPositive;
+    arc.plane_normal = ToDouble(MakePrimitive(plane));
+    planes_.push_back(std::move(plane));
+    view_.arcs.push_back(arc);
+  }
+
+  const Vec3<Exact>& Direction(int vertex) const {
+    return glued_.vertices[Index(vertex)].direction;
+  }
+
+  int FaceNumber(int facet) const {
+    return query_.scene.facets()[Index(facet)].face + 1;
+  }
+
+  /// The plane through r that holds an arc, with any sign.
+  Vec3<Exact> PlaneOf(const WholeViewArc& arc) const {
+    if (arc.kind == ViewArcKind::kHorizon) return exact_.ReceiverNormal();
+    if (arc.edge.a >= 0) {
+      return Cross(exact_.FromReceiver(arc.edge.a),
+                   exact_.FromReceiver(arc.edge.b));
+    }
+    return meeting_plane_;
+  }
+
+  /// What separates the two sides of an arc.
+  void SetEdge(const GluedArc& glued, WholeViewArc& arc) {
+    arc.kind = ViewArcKind::kHorizon;
+    if (glued.on_horizon()) return;
+    arc.kind = ViewArcKind::kSilhouette;
+    const Vec3<Exact>& from = Direction(glued.piece_from);
+    const Vec3<Exact>& to = Direction(glued.piece_to);
+    int near = std::max(glued.left, glued.right);
+    const int far = std::min(glued.left, glued.right);
+    Sign order = Sign::kPositive;  // far is farther
+    if (far >= 0) {
+      order = edges_.DepthOrder(far, near, from);
+      if (order == Sign::kZero) order = edges_.DepthOrder(far, near, to);
+    }
+    if (order == Sign::kZero) {
+      SetEdgeOfEqualDepth(far, near, from, to, arc);
+      return;
+    }
+    if (order == Sign::kNegative) near = far;
+    const auto edge = edges_.AlongArc(near, from, to);
+    if (!edge) throw std::logic_error("a face ends where it has no edge");
+    arc.edge = *edge;
+  }
+
+  /// Both facets are equally far all along; a < b.
+  void SetEdgeOfEqualDepth(int a, int b, const Vec3<Exact>& from,
+                           const Vec3<Exact>& to, WholeViewArc& arc) {
+    const auto edge_a = edges_.AlongArc(a, from, to);
+    const auto edge_b = edges_.AlongArc(b, from, to);
+    arc.kind = ViewArcKind::kContact;
+    if (edge_a) arc.edge = *edge_a;  // the first one is in front
+    if (!edge_a && edge_b) arc.edge = *edge_b;
+    if (edge_a && edge_b && *edge_a == *edge_b) arc.kind = ViewArcKind::kInner;
+    if (edge_a || edge_b) return;
+    arc.kind = ViewArcKind::kMeeting;
+    const FacetView& first = views_[Index(a)];
+    const FacetView& second = views_[Index(b)];
+    meeting_plane_ =
+        second.height * first.normal - first.height * second.normal;
+    arc.edge = {std::min(FaceNumber(a), FaceNumber(b)), -1, -1,
+                std::max(FaceNumber(a), FaceNumber(b))};
+  }
+
+  void AddRegions() {
+    const auto loops = LoopsOf(glued_, planes_);
+    for (const std::vector<ViewLoop>& around : loops) {
+      ViewRegion region;
+      region.loops = around;
+      view_.regions.push_back(std::move(region));
+    }
+    for (const GluedArc& arc : glued_.arcs) {
+      SetFacet(arc.left_region, arc.left);
+      SetFacet(arc.right_region, arc.right);
+    }
+  }
+
+  void SetFacet(int index, int facet) {
+    if (index < 0 || facet < 0) return;
+    ViewRegion& region = view_.regions[Index(index)];
+    if (region.facet >= 0 && region.facet <= facet) return;
+    region.facet = facet;
+    region.face = FaceNumber(facet);
+    region.front = SignOf(views_[Index(facet)].height) == Sign::kNegative;
+  }
+
+  /// Those where arcs end, in the order of the arcs.
+  void AddVertices(ViewVertices& vertices) {
+    const ArcsAround around = ArcsAroundVertices(glued_);
+    std::vector<int> new_index(glued_.vertices.size(), -1);
+    const auto renumber = [&](int& vertex) {
+      if (vertex < 0) return;
+      int& index = new_index[Index(vertex)];
+      if (index < 0) {
+        index = static_cast<int>(view_.vertices.size());
+        view_.vertices.push_back(
+            vertices.Classify(glued_, vertex, around[Index(vertex)]));
+      }
+      vertex = index;
+    };
+    for (WholeViewArc& arc : view_.arcs) {
+      renumber(arc.from);
+      renumber(arc.to);
+    }
+  }
+
+  const ContourQuery& query_;
+  std::span<const FacetView> views_;
+  const GluedView& glued_;
+  const EdgesThrough& edges_;
+  RecipeEvaluator<Exact> exact_;
+  WholeView view_;
+  std::vector<Vec3<Exact>> planes_;  ///< per arc, to its left
+  Vec3<Exact> meeting_plane_;        ///< of the last arc of that kind
+};
+
+}  // namespace
+
+WholeView WholeViewOf(const ContourQuery& query,
+                      const std::function<void(int)>& on_step) {
+  constexpr int kCharts = kWholeViewSteps - 1;
+  const std::vector<FacetView> views = FacetViewsOf(query);
+  std::vector<ChartView> charts;
+  for (int chart = 0; chart < kCharts; ++chart) {
+    if (on_step) on_step(chart);
+    charts.push_back(WholeChartViewOf(query, views, Index(chart)));
+  }
+  if (on_step) on_step(kCharts);
+  GluedView glued = Glue(query, charts);
+  EdgesThrough edges(query, views);
+  ViewVertices vertices(query, views, edges);
+  vertices.JoinArcs(glued);
+  return ViewAssembly(query, views, glued, edges).Assemble(vertices);
+}
+
+}  // namespace truelux

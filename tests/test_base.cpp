@@ -1,0 +1,1 @@
+// Holds the headers that are precompiled for all tests.

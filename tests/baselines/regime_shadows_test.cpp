@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "baselines/regimes.h"
 #include "baselines/seen_from.h"
 #include "support/scenes.h"
 

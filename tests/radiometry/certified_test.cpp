@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "exact/number.h"
+#include "exact/vec3.h"
 #include "radiometry/hand_contour.h"
 #include "radiometry/random_polygons.h"
 #include "radiometry/reference.h"

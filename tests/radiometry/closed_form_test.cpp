@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "exact/number.h"
+#include "exact/vec3.h"
 #include "radiometry/evaluate_weighted.h"
 #include "radiometry/hand_contour.h"
 #include "support/real.h"

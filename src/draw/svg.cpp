@@ -2,9 +2,7 @@
 
 #include <array>
 #include <fmt/format.h>
-#include <stdexcept>
-
-#include <boost/regex/pending/unicode_iterator.hpp>
+#include <utf8.h>
 
 namespace truelux {
 namespace {
@@ -31,25 +29,11 @@ std::string FillAttributes(std::size_t series, MarkerFill fill) {
                      colour);
 }
 
-bool IsUtf8(std::string_view text) {
-  using Characters = boost::u8_to_u32_iterator<const char*>;
-  const char* begin = text.data();
-  const char* end = begin + text.size();
-  try {
-    for (Characters at(begin, begin, end); at != Characters(end, begin, end);
-         ++at)
-      static_cast<void>(*at);
-    return true;
-  } catch (const std::out_of_range&) {
-    return false;
-  }
-}
-
 }  // namespace
 
 std::string EscapedXml(std::string_view text) {
   std::string escaped;
-  const bool is_utf8 = IsUtf8(text);
+  const bool is_utf8 = utf8::is_valid(text.begin(), text.end());
   for (const char c : text) {
     if (!is_utf8 && static_cast<unsigned char>(c) >= 0x80U) {
       escaped += "\uFFFD";

@@ -3,25 +3,78 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace truelux {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// Enough for the shortest form of any binary64, such as
 /// -2.2250738585072014e-308.
 constexpr std::size_t kNumberChars = 32;
 
-std::string Number(double value) {
-  std::string text;
-  AppendNumber(text, value);
-  return text;
+Json JsonOf(const StageCounts& counts) {
+  return {{"symbolic", counts.symbolic},
+          {"filter", counts.filter},
+          {"interval", counts.interval},
+          {"exact", counts.exact}};
 }
 
-std::string JsonText(const StageCounts& counts) {
-  return fmt::format(
-      R"({{"symbolic": {}, "filter": {}, "interval": {}, "exact": {}}})",
-      counts.symbolic, counts.filter, counts.interval, counts.exact);
+Json JsonOf(const RunReport& report) {
+  const Statistics& s = report.statistics;
+  Json json;
+  json["version"] = report.version;
+  json["engine"] = Name(report.options.engine);
+  json["method"] = Name(report.options.method);
+  json["emission"] = Name(report.options.emission);
+  json["formula"] = Name(report.options.formula);
+  json["load_seconds"] = report.load_seconds;
+  json["evaluate_seconds"] = report.evaluate_seconds;
+  json["threads"] = report.threads;
+  json["receivers"] = report.receivers;
+  json["predicates"] = {{"receiver_side", JsonOf(s.receiver_side)},
+                        {"vertex_side", JsonOf(s.vertex_side)},
+                        {"plane_side", JsonOf(s.plane_side)},
+                        {"edge_order", JsonOf(s.edge_order)}};
+  json["visibility"] = {
+      {"sources", s.sources}, {"blockers", s.blockers}, {"arcs", s.arcs}};
+  json["evaluation"] = {{"zero", s.evaluated_zero},
+                        {"double", s.evaluated_double},
+                        {"double_double", s.evaluated_double_double},
+                        {"multiprecision", s.evaluated_multiprecision},
+                        {"ties", s.ties},
+                        {"overflows", s.overflows},
+                        {"max_precision_bits", s.max_precision_bits}};
+  return json;
+}
+
+/// Objects deeper than this are written on one line.
+constexpr std::size_t kBrokenLevels = 2;
+
+/// Appends a value; level: how many objects are around it. Not nlohmann's dump,
+/// which breaks the lines of all objects or of none, and writes the number 1 of
+/// seconds as 1.0.
+void AppendJson(std::string& text, const Json& json, std::size_t level = 0) {
+  if (json.is_number_float()) {
+    AppendNumber(text, json.get<double>());
+    return;
+  }
+  if (!json.is_object()) {
+    text += json.dump();
+    return;
+  }
+  const bool is_broken = level < kBrokenLevels;
+  const std::string end = is_broken ? "\n" + std::string(2 * level, ' ') : "";
+  const std::string start = is_broken ? end + "  " : "";
+  std::string before = start;
+  text += '{';
+  for (const auto& [key, value] : json.items()) {
+    text += before + Json(key).dump() + ": ";
+    AppendJson(text, value, level + 1);
+    before = (is_broken ? "," : ", ") + start;
+  }
+  text += end + '}';
 }
 
 }  // namespace
@@ -56,56 +109,9 @@ void AppendResult(std::string& text, const Irradiance& irradiance,
 }
 
 std::string JsonText(const RunReport& report) {
-  const Statistics& s = report.statistics;
-  std::string text = "{\n";
-  const auto line = [&text](std::string_view key, std::string_view value) {
-    text += fmt::format("  \"{}\": {},\n", key, value);
-  };
-  const auto word = [](std::string_view value) {
-    return fmt::format("\"{}\"", value);
-  };
-  line("version", word(report.version));
-  line("engine", word(Name(report.options.engine)));
-  line("method", word(Name(report.options.method)));
-  line("emission", word(Name(report.options.emission)));
-  line("formula", word(Name(report.options.formula)));
-  line("load_seconds", Number(report.load_seconds));
-  line("evaluate_seconds", Number(report.evaluate_seconds));
-  line("threads", fmt::to_string(report.threads));
-  line("receivers", fmt::to_string(report.receivers));
-  text += fmt::format(
-      R"(  "predicates": {{
-    "receiver_side": {},
-    "vertex_side": {},
-    "plane_side": {},
-    "edge_order": {}
-  }},
-)",
-      JsonText(s.receiver_side), JsonText(s.vertex_side),
-      JsonText(s.plane_side), JsonText(s.edge_order));
-  text += fmt::format(
-      R"(  "visibility": {{
-    "sources": {},
-    "blockers": {},
-    "arcs": {}
-  }},
-)",
-      s.sources, s.blockers, s.arcs);
-  text += fmt::format(
-      R"(  "evaluation": {{
-    "zero": {},
-    "double": {},
-    "double_double": {},
-    "multiprecision": {},
-    "ties": {},
-    "overflows": {},
-    "max_precision_bits": {}
-  }}
-}}
-)",
-      s.evaluated_zero, s.evaluated_double, s.evaluated_double_double,
-      s.evaluated_multiprecision, s.ties, s.overflows, s.max_precision_bits);
-  return text;
+  std::string text;
+  AppendJson(text, JsonOf(report));
+  return text + "\n";
 }
 
 std::string_view Name(Engine engine) {

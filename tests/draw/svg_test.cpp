@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -28,6 +29,49 @@ TEST(Svg, TextsAreEscaped) {
   EXPECT_EQ(SvgText(1, 2, "end", 12, "a"),
             "<text x=\"1.0\" y=\"2.0\" text-anchor=\"end\" font-size=\"12\">a"
             "</text>\n");
+}
+
+TEST(Svg, TextsThatAreUtf8StayAsTheyAre) {
+  for (const char* text :
+       {"\xC2\x80", "\xDF\xBF", "\xE0\xA0\x80", "\xED\x9F\xBF",  // U+D7FF
+        "\xEE\x80\x80", "\xEF\xBF\xBD", "\xF0\x90\x80\x80",
+        "\xF4\x8F\xBF\xBF"}) {  // U+10FFFF
+    EXPECT_EQ(EscapedXml(text), text);
+  }
+}
+
+TEST(Svg, BytesThatAreNotAsciiAreReplacedIfAnyIsNotUtf8) {
+  struct Case {
+    const char* text;
+    std::size_t replaced;
+  };
+
+  const std::vector<Case> cases = {
+      {"\xC0\x80", 2},          // overlong, two to four bytes
+      {"\xC1\xBF", 2},          //
+      {"\xE0\x9F\xBF", 3},      //
+      {"\xF0\x8F\xBF\xBF", 4},  //
+      {"\xED\xA0\x80", 3},      // surrogates U+D800 and U+DFFF
+      {"\xED\xBF\xBF", 3},      //
+      {"\xC3", 1},              // truncated
+      {"\xE2\x82", 2},          //
+      {"\xF0\x9F\x98", 3},      //
+      {"\x80", 1},              // a continuation alone
+      {"\xF4\x90\x80\x80", 4},  // U+110000
+      {"\xF8\x90\x80\x80", 4},  // no byte of UTF-8 is above F4
+      {"\xFF", 1},              //
+  };
+  std::string replacement;
+  for (const Case& c : cases) {
+    replacement.clear();
+    for (std::size_t i = 0; i < c.replaced; ++i)
+      replacement += "\uFFFD";
+    const std::string bad = c.text;
+    EXPECT_EQ(EscapedXml("<" + bad + "a"), "&lt;" + replacement + "a");
+    EXPECT_EQ(EscapedXml(bad), replacement);
+    // Good characters beside bad ones go, too.
+    EXPECT_EQ(EscapedXml("\u00e9" + bad), "\uFFFD\uFFFD" + replacement);
+  }
 }
 
 TEST(Svg, SeriesHaveTheirOwnMarkers) {

@@ -4,8 +4,9 @@
 #
 #   tools/bench.sh --quick --svg chart.svg
 #
-# On Debian 12 missing packages are installed first.
+# What is missing is installed first on Debian and Ubuntu, and named elsewhere.
 
+# shellcheck source=tools/common.sh
 . "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
 lock_build
@@ -15,7 +16,7 @@ if ! is_configured; then
 elif [[ "$(cache_value TRUELUX_BUILD_BENCH)" != ON ]]; then
   configure -DTRUELUX_BUILD_BENCH=ON
 fi
-build_target side_by_side
+build_targets side_by_side
 release_build
 
 exec "$build/bench/side_by_side" "$@"

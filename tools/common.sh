@@ -1,88 +1,48 @@
-# Shared by run.sh and test.sh: finds the repository, installs packages on
-# Debian 12, configures and builds build/release. All chatter goes to stderr.
+# Shared by the scripts beside it: finds the repository, knows the packages,
+# configures and builds. All chatter goes to stderr. Bash 3.2 is enough, and
+# neither flock nor nproc is needed.
 # shellcheck shell=bash
 
 set -euo pipefail
 
 root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)"
-build="$root/build/release"
+
+# use_preset NAME: what follows is about build/NAME.
+use_preset() {
+  preset="$1"
+  build="$root/build/$preset"
+}
+use_preset release
 
 say() { printf '%s\n' "$*" >&2; }
 
-# packages_of SECTION...: the packages that tools/packages.txt lists there.
-packages_of() {
-  local line section=""
-  while read -r line || [[ -n "$line" ]]; do
-    case "$line" in
-      '' | '#'*) ;;
-      '['*']') section="${line:1:-1}" ;;
-      *) [[ " $* " == *" $section "* ]] && printf '%s\n' "$line" ;;
-    esac
-  done <"$root/tools/packages.txt"
-  return 0
-}
+# shellcheck source=tools/packages.sh
+. "$root/tools/packages.sh"
+# shellcheck source=tools/lock.sh
+. "$root/tools/lock.sh"
 
-is_debian_12() {
-  [[ -r /etc/os-release ]] &&
-    (. /etc/os-release && [[ "${ID:-}" == debian && "${VERSION_ID:-}" == 12 ]])
-}
-
-# missing_packages NAME...: those that dpkg does not know as installed.
-missing_packages() {
-  local installed name
-  installed="$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "$@" \
-    2>/dev/null || true)"
-  for name in "$@"; do
-    grep -qx -- "$name installed" <<<"$installed" || printf '%s\n' "$name"
-  done
-}
-
-install_packages() {
-  local -a as_root=()
-  if [[ "$(id -u)" != 0 ]]; then
-    if ! command -v sudo >/dev/null; then
-      say "These packages are missing, and neither root nor sudo is at hand to" \
-        "install them: $*"
-      exit 1
-    fi
-    as_root=(sudo)
-  fi
-  say "Installing: $*"
-  "${as_root[@]}" apt-get update -q >&2
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -q -y --no-install-recommends "$@" >&2
-}
-
-# need_packages SECTION...: makes sure that the packages are there.
-need_packages() {
-  local -a wanted missing
-  mapfile -t wanted < <(packages_of "$@")
-  if is_debian_12; then
-    mapfile -t missing < <(missing_packages "${wanted[@]}")
-    [[ ${#missing[@]} == 0 ]] || install_packages "${missing[@]}"
-    return
-  fi
-  local tool absent=""
-  for tool in cmake ninja c++; do
-    command -v "$tool" >/dev/null || absent+=" $tool"
-  done
-  say "This is not Debian 12, so nothing is installed; needed are what Debian" \
-    "calls: ${wanted[*]}${absent:+ (not found:$absent)}"
-  [[ -z "$absent" ]] || exit 1
+# cores: how many jobs to run at once.
+cores() {
+  nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null ||
+    sysctl -n hw.ncpu 2>/dev/null || echo 2
 }
 
 cache_value() {
   sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt" 2>/dev/null || true
 }
 
-# configure OPTION...: cmake, with the preset release.
+# configure OPTION...: cmake, with the preset.
 configure() {
-  local -a fresh=()
   local home
   home="$(cache_value CMAKE_HOME_DIRECTORY)"
   # A cache that was moved, with its tree or without, is of no use.
-  [[ -z "$home" || "$home" == "$root" ]] || fresh=(--fresh)
-  (cd -- "$root" && cmake --preset release "${fresh[@]}" "$@") >&2
+  [[ -z "$home" || "$home" == "$root" ]] ||
+    rm -rf -- "$build/CMakeCache.txt" "$build/CMakeFiles"
+  (cd -- "$root" && holding_lock cmake --preset "$preset" "$@") >&2 || {
+    say "If something was not found: what is needed, by the name of its" \
+      "package, is in tools/packages.txt."
+    exit 1
+  }
 }
 
 is_configured() {
@@ -90,17 +50,37 @@ is_configured() {
     "$(cache_value CMAKE_HOME_DIRECTORY)" == "$root" ]]
 }
 
-# build_target TARGET: silent if there is nothing to do.
-build_target() {
-  [[ "$(ninja -C "$build" -n "$1" 2>&1 | tail -n 1)" == *"no work to do."* ]] ||
-    ninja -C "$build" -j "$(nproc)" "$1" >&2
+# A file takes about two seconds of one core.
+say_how_long() {
+  local minutes=$((($1 * 2 / $(cores) + 59) / 60))
+  say "Building $1 files on $(cores) cores: about $minutes min."
 }
 
-# One build at a time; released by release_build.
-lock_build() {
-  mkdir -p -- "$build"
-  exec 9>"$build/.lock"
-  flock 9
+# Ninja's lines, with a file instead of the path of its object.
+short_lines() {
+  local line
+  while IFS= read -r line; do
+    case "$line" in
+      '['*'] Building '*' object '* | '['*'] Linking '*)
+        say "${line%%]*}] ${line##*[/ ]}" ;;
+      'ninja: Entering'*) ;;
+      *) say "$line" ;;
+    esac
+  done
 }
 
-release_build() { exec 9>&-; }
+# build_targets TARGET...: silent if there is nothing to do.
+build_targets() {
+  local plan jobs
+  plan="$(ninja -C "$build" -n "$@" 2>&1 | tail -n 1)"
+  case "$plan" in *"no work to do."*) return ;; esac
+  jobs="${plan#*/}"
+  jobs="${jobs%%]*}"
+  case "$jobs" in '' | *[!0-9]*) ;; *) say_how_long "$jobs" ;; esac
+  export NINJA_STATUS='[%f/%t %es] '
+  if [[ -t 2 ]]; then
+    holding_lock ninja -C "$build" -j "$(cores)" "$@" >&2
+  else
+    holding_lock ninja -C "$build" -j "$(cores)" "$@" 2>&1 | short_lines
+  fi
+}

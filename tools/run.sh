@@ -4,16 +4,16 @@
 #   tools/run.sh              the irradiance on the floor of the Cornell box
 #   tools/run.sh ARGUMENTS    truelux ARGUMENTS
 #
-# Standard output and the exit status are those of truelux; on Debian 12
-# missing packages are installed first.
+# Standard output and the exit status are those of truelux. What is missing is
+# installed first on Debian and Ubuntu, and named elsewhere.
 
+# shellcheck source=tools/common.sh
 . "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
 lock_build
 need_packages run
 is_configured || configure -DTRUELUX_BUILD_TESTS=OFF
-build_target truelux
-build_target man
+build_targets truelux man
 release_build
 
 if [[ $# == 0 ]]; then

@@ -17,6 +17,7 @@
 #include "truelux/io.h"
 
 #include "baselines/stability_study.h"
+#include "support/sweep.h"
 #include "text/quantile.h"
 
 namespace truelux::testing {
@@ -139,10 +140,9 @@ TEST(Stability, MedianAndLargestErrorsAreThoseOfTheTranscription) {
   }
 }
 
-/// TRUELUX_LONG_TEST=N takes N cases of each regime.
+/// Cases of each regime.
 int CasesForBounds() {
-  const char* text = std::getenv("TRUELUX_LONG_TEST");
-  return text == nullptr ? 40 : std::max(1, std::atoi(text));
+  return SweepSize(10, 40);
 }
 
 RegimeStability MeasureBounds(const Regime& regime, int cases) {

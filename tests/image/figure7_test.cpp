@@ -1,14 +1,14 @@
 // The four pictures of docs/gallery.md, small: every engine gives every pixel
 // the same bits, and no kind of pixel is missing.
 //
-// The arrangement engine takes 10 ms to 4 s a pixel, so that of (a) and
-// (b) only some pixels are asked for; TRUELUX_LONG_TEST=1 asks for all.
+// The arrangement engine takes 10 ms to 4 s a pixel, so that only some pixels
+// are asked for, more of them under the label slow (support/sweep.h);
+// TRUELUX_LONG_TEST=1 asks for all.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -27,6 +27,7 @@
 #include "image/surface_frame.h"
 #include "image/surface_pixels.h"
 #include "scene/group_selection.h"
+#include "support/sweep.h"
 
 namespace truelux {
 namespace {
@@ -36,7 +37,7 @@ struct Picture {
   char name = 'a';
   std::optional<Camera> camera;  ///< nothing: the surface "floor"
   int size = 0;                  ///< pixels a side
-  int step = 1;                  ///< every step-th pixel in a usual run
+  int step = 1;                  ///< every step-th pixel under the label slow
   int spans_step = 0;            ///< the same for angular spans; 0: none
 };
 
@@ -95,15 +96,17 @@ std::vector<Receiver> ReceiversOf(const Picture& picture,
   return receivers;
 }
 
-bool IsLong() {
-  return std::getenv("TRUELUX_LONG_TEST") != nullptr;
+/// Every how-manieth pixel a run asks for, where the label slow asks for every
+/// step-th.
+int StepOf(int step) {
+  return testing::SweepSize(5 * step, step);
 }
 
 constexpr int kStrips = 8;
 
 /// Some rows of a picture, so that strips run beside each other.
 class Figure7Strips
-    : public testing::TestWithParam<std::tuple<std::size_t, int>> {
+    : public ::testing::TestWithParam<std::tuple<std::size_t, int>> {
  protected:
   [[nodiscard]] static const Picture& OwnPicture() {
     return Pictures()[std::get<0>(GetParam())];
@@ -130,19 +133,19 @@ class Figure7Strips
 };
 
 TEST_P(Figure7Strips, ArrangementEngineAgrees) {
-  Compare(Engine::kArrangement, IsLong() ? 1 : OwnPicture().step);
+  Compare(Engine::kArrangement, StepOf(OwnPicture().step));
 }
 
 TEST_P(Figure7Strips, AngularSpansAgree) {
   const int step = OwnPicture().spans_step;
   if (step == 0) GTEST_SKIP() << "too slow for this scene";
-  Compare(Engine::kAngularSpans, step);
+  Compare(Engine::kAngularSpans, StepOf(step));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     All, Figure7Strips,
-    testing::Combine(testing::Range<std::size_t>(0, 4),
-                     testing::Range(0, kStrips)),
+    ::testing::Combine(::testing::Range<std::size_t>(0, 4),
+                       ::testing::Range(0, kStrips)),
     [](const auto& strip) {
       return std::string(1, Pictures()[std::get<0>(strip.param)].name) +
              std::to_string(std::get<1>(strip.param));

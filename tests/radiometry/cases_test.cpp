@@ -3,6 +3,7 @@
 
 #include <ostream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include "truelux/irradiance.h"
 
 #include "support/case_files.h"
+#include "support/twin_values.h"
 
 namespace truelux::testing {
 namespace {
@@ -24,23 +26,37 @@ void PrintTo(const Setup& setup, std::ostream* out) {
   *out << setup.name;
 }
 
+struct Expected {
+  Receiver receiver;
+  Rgb value{};
+};
+
+/// The rows of a case's expected.csv.
+std::vector<Expected> ExpectedOf(const std::string& name) {
+  std::vector<Expected> expected;
+  for (const std::vector<double>& row :
+       ReadNumbers(CaseFolder(name) / "expected.csv")) {
+    if (row.size() != 9) {
+      ADD_FAILURE() << name << " has a row of " << row.size();
+      continue;
+    }
+    expected.push_back({{{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, 0},
+                        {row[6], row[7], row[8]}});
+  }
+  EXPECT_FALSE(expected.empty());
+  return expected;
+}
+
 class Cases : public ::testing::TestWithParam<std::tuple<std::string, Setup>> {
 };
 
 TEST_P(Cases, EveryBitIsRight) {
   const auto& [name, setup] = GetParam();
-  const auto folder = CaseFolder(name);
-  const Result<Scene> scene = ReadScene(folder / "scene.obj");
+  const Result<Scene> scene = ReadScene(CaseFolder(name) / "scene.obj");
   ASSERT_TRUE(scene.ok());
   const Oracle oracle(*scene.value, setup.options);
-  const auto expected = ReadNumbers(folder / "expected.csv");
-  ASSERT_FALSE(expected.empty());
-  for (const std::vector<double>& row : expected) {
-    ASSERT_EQ(row.size(), 9U);
-    const Irradiance e = oracle.Evaluate(
-        {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, 0});
-    EXPECT_EQ(e.value, (Rgb{row[6], row[7], row[8]}));
-  }
+  for (const Expected& expected : ExpectedOf(name))
+    EXPECT_EQ(oracle.Evaluate(expected.receiver).value, expected.value);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -48,14 +64,26 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(
         ::testing::ValuesIn(CaseNames()),
         ::testing::Values(Setup{"contour", {}},
-                          Setup{"table", {.formula = Formula::kUnified}},
-                          Setup{"arrangement",
-                                {.engine = Engine::kArrangement}},
-                          Setup{"spans", {.engine = Engine::kAngularSpans}})),
+                          Setup{"table", {.formula = Formula::kUnified}})),
     [](const auto& instance) {
       return std::get<0>(instance.param) + "_" +
              std::get<1>(instance.param).name;
     });
+
+class TwinCases : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(TwinCases, EveryBitIsRight) {
+  const Result<Scene> scene = ReadScene(CaseFolder(GetParam()) / "scene.obj");
+  ASSERT_TRUE(scene.ok());
+  for (const Expected& expected : ExpectedOf(GetParam())) {
+    const TwinValues twins = TwinValuesOf(*scene.value, expected.receiver);
+    EXPECT_EQ(twins.arrangement, expected.value);
+    EXPECT_EQ(twins.spans, expected.value);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, TwinCases, ::testing::ValuesIn(CaseNames()),
+                         [](const auto& instance) { return instance.param; });
 
 }  // namespace
 }  // namespace truelux::testing

@@ -70,12 +70,16 @@ class SpanReader {
 
 AngularSpans AngularSpansOf(const ContourQuery& query) {
   const std::vector<FacetView> facets = FacetViewsOf(query);
+  return AngularSpansOf(facets, ChartViewsOf(query, facets));
+}
+
+AngularSpans AngularSpansOf(std::span<const FacetView> facets,
+                            std::span<const ChartView> charts) {
   AngularSpans result;
   result.statistics.sources = static_cast<std::uint64_t>(
       std::ranges::count_if(facets, &FacetView::is_source));
-  for (const ChartView& view : ChartViewsOf(query, facets)) {
+  for (const ChartView& view : charts)
     SpanReader(view, facets).AppendTo(result.vertices);
-  }
   return result;
 }
 

@@ -12,12 +12,14 @@
 #ifndef TRUELUX_VISIBILITY_ARRANGEMENT_ANGULAR_SPANS_H_
 #define TRUELUX_VISIBILITY_ARRANGEMENT_ANGULAR_SPANS_H_
 
+#include <span>
 #include <vector>
 
 #include "truelux/statistics.h"
 
 #include "exact/number.h"
 #include "exact/vec3.h"
+#include "visibility/arrangement/arrangement_view.h"
 #include "visibility/contour.h"
 
 namespace truelux {
@@ -51,6 +53,11 @@ struct AngularSpans {
 /// The angular spans of the query's view, read from the same planar maps as
 /// the arrangement engine's arcs. Slow. query.join_sources is not used.
 AngularSpans AngularSpansOf(const ContourQuery& query);
+
+/// The same from a map that is there already: facets are FacetViewsOf the
+/// query, charts are ChartViewsOf it.
+AngularSpans AngularSpansOf(std::span<const FacetView> facets,
+                            std::span<const ChartView> charts);
 
 }  // namespace truelux
 

@@ -134,11 +134,16 @@ class ContourBuilder {
 }  // namespace
 
 Contour ContourByArrangement(const ContourQuery& query) {
-  const std::vector<FacetView> views = FacetViewsOf(query);
-  ContourBuilder builder(query, views);
-  for (const ChartView& view : ChartViewsOf(query, views)) {
+  const std::vector<FacetView> facets = FacetViewsOf(query);
+  return ContourByArrangement(query, facets, ChartViewsOf(query, facets));
+}
+
+Contour ContourByArrangement(const ContourQuery& query,
+                             std::span<const FacetView> facets,
+                             std::span<const ChartView> charts) {
+  ContourBuilder builder(query, facets);
+  for (const ChartView& view : charts)
     builder.Add(view.chart, view.map);
-  }
   return builder.Build();
 }
 

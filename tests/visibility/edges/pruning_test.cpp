@@ -1,12 +1,8 @@
 // The contour engine leaves out and cuts short what cannot matter; its slow
 // twin does not. Both must give the same bits, on soups in general position,
 // on lattices (everything coincides), and on lattices one ulp off.
-//
-// TRUELUX_LONG_TEST=N makes N scenes of each kind instead of the usual number.
 
 #include <cstdint>
-#include <cstdlib>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -16,6 +12,7 @@
 #include "support/portable_random.h"
 #include "support/random_scene.h"
 #include "support/scenes.h"
+#include "support/sweep.h"
 
 namespace truelux {
 namespace {
@@ -26,9 +23,8 @@ enum class Kind { kLattice, kNoise, kGeneral };
 
 /// Soups one ulp off a lattice are slow: the exact stage decides much.
 int SceneCount(Kind kind) {
-  const char* text = std::getenv("TRUELUX_LONG_TEST");
-  if (text != nullptr) return std::stoi(text);
-  return kind == Kind::kNoise ? 60 : 800;
+  const int count = kind == Kind::kNoise ? 60 : 800;
+  return SweepSize(count, count);
 }
 
 /// A soup, now and then with many faces, so that pruning has work to do.

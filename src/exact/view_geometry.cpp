@@ -1,6 +1,5 @@
 #include "exact/view_geometry.h"
 
-#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -44,10 +43,7 @@ void BasicViewGeometry<kKind>::SetReceiver(const Point3& position,
   bundles_.clear();
   slow_.clear();
   statistics_ = {};
-  if (++generation_ == 0) {  // it wrapped around
-    std::ranges::fill(vertex_directions_, VertexEntry{});
-    generation_ = 1;
-  }
+  vertex_directions_.Clear();
 }
 
 template <PredicateKind kKind>
@@ -73,7 +69,7 @@ int BasicViewGeometry<kKind>::AddPlane(const PlaneRecipe& recipe) {
 template <PredicateKind kKind>
 int BasicViewGeometry<kKind>::AddVertexDirection(int vertex) {
   const int id = direction_count();
-  vertex_directions_[Index(vertex)] = {generation_, id};
+  vertex_directions_.Set(vertex, id);
   directions_.push_back(
       {FilteredDifference(view_.position, view_.vertices[Index(vertex)]),
        {.kind = DirectionRecipe::Kind::kVertex, .a = vertex},

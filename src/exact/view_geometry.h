@@ -18,6 +18,7 @@
 
 #include "truelux/statistics.h"
 
+#include "base/stamped_table.h"
 #include "exact/crossing.h"
 #include "exact/filter.h"
 #include "exact/plane_bundle.h"
@@ -55,9 +56,8 @@ class BasicViewGeometry {
 
   /// The id of the direction to a scene vertex.
   int VertexDirection(int vertex) {
-    const VertexEntry& entry = vertex_directions_[Index(vertex)];
-    return entry.generation == generation_ ? entry.direction
-                                           : AddVertexDirection(vertex);
+    return vertex_directions_.Has(vertex) ? vertex_directions_[vertex]
+                                          : AddVertexDirection(vertex);
   }
 
   /// Adds a direction that is no vertex and returns its id. kCrossing must
@@ -209,11 +209,6 @@ class BasicViewGeometry {
     int slow = kNotMade;  ///< index into slow_
   };
 
-  struct VertexEntry {
-    std::uint32_t generation = 0;  ///< valid if it is the current one
-    int direction = -1;
-  };
-
   static std::size_t Index(int id) { return static_cast<std::size_t>(id); }
 
   /// N . d with its bound; unfiltered without one.
@@ -245,8 +240,7 @@ class BasicViewGeometry {
   std::vector<DirectionEntry> directions_;
   std::vector<PlaneBundle> bundles_;
   std::vector<SlowVector> slow_;
-  std::vector<VertexEntry> vertex_directions_;  ///< per scene vertex
-  std::uint32_t generation_ = 0;
+  StampedTable<int> vertex_directions_;  ///< per scene vertex
   Statistics statistics_;
 };
 

@@ -33,24 +33,26 @@ IgnoredFacetCache::IgnoredFacetCache(const Scene& scene) : scene_(scene) {}
 void IgnoredFacetCache::SetOnFace(int on_face) {
   if (on_face == on_face_) return;
   on_face_ = on_face;
-  ++generation_;
-  entries_.resize(scene_.facets().size());
+  is_ignored_.Clear();
+  is_ignored_.Cover(scene_.facets().size());
 }
 
 bool IgnoredFacetCache::Ask(int facet) {
-  Entry& entry = entries_[static_cast<std::size_t>(facet)];
-  if (entry.generation == generation_) return entry.ignored;
+  return is_ignored_.FindOrMake(facet, [&] { return IsInPlaneOfFace(facet); });
+}
+
+/// Whether a facet lies in the plane of a facet of the face that is named.
+bool IgnoredFacetCache::IsInPlaneOfFace(int facet) const {
   const auto facets = scene_.facets();
   const Face& face = scene_.faces()[static_cast<std::size_t>(on_face_ - 1)];
   const ReceiverView view{scene_.vertices(), scene_.triangles(), {}, {}};
   const int triangle = facets[static_cast<std::size_t>(facet)].first_triangle;
-  entry = {generation_, false};
-  for (int own = face.first_facet;
-       own < face.first_facet + face.facet_count && !entry.ignored; ++own) {
+  for (int own = face.first_facet; own < face.first_facet + face.facet_count;
+       ++own) {
     const int plane = facets[static_cast<std::size_t>(own)].first_triangle;
-    entry.ignored = Coplanar(view, plane, triangle);
+    if (Coplanar(view, plane, triangle)) return true;
   }
-  return entry.ignored;
+  return false;
 }
 
 std::vector<bool> IgnoredFacets(const ContourQuery& query) {

@@ -10,13 +10,13 @@
 #ifndef TRUELUX_VISIBILITY_CONTOUR_H_
 #define TRUELUX_VISIBILITY_CONTOUR_H_
 
-#include <cstdint>
 #include <vector>
 
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 #include "truelux/statistics.h"
 
+#include "base/stamped_table.h"
 #include "exact/explicit_vectors.h"
 #include "exact/recipe.h"
 
@@ -86,17 +86,12 @@ class IgnoredFacetCache {
   bool IsIgnored(int facet) { return on_face_ != 0 && Ask(facet); }
 
  private:
-  struct Entry {
-    std::uint64_t generation = 0;  ///< valid if it is the current one
-    bool ignored = false;
-  };
-
   bool Ask(int facet);
+  [[nodiscard]] bool IsInPlaneOfFace(int facet) const;
 
   const Scene& scene_;
   int on_face_ = 0;
-  std::uint64_t generation_ = 0;
-  std::vector<Entry> entries_;  ///< per facet, once a face was named
+  StampedTable<bool> is_ignored_;  ///< per facet, once a face was named
 };
 
 }  // namespace truelux

@@ -1,6 +1,8 @@
 #include "visibility/edges/cone.h"
 
-#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <utility>
 
 namespace truelux {
 namespace {
@@ -15,57 +17,45 @@ template <class Geometry>
 ConeMaker<Geometry>::ConeMaker(Geometry& geometry, const ConvexPieces& pieces)
     : geometry_(geometry),
       pieces_(pieces),
-      piece_entries_(pieces.pieces().size()),
-      edge_entries_(pieces.corners().size()) {}
+      receiver_sides_(pieces.pieces().size()),
+      edge_planes_(pieces.corners().size()) {}
 
 template <class Geometry>
 void ConeMaker<Geometry>::SetReceiver() {
   horizon_ = geometry_.AddPlane({.kind = PlaneRecipe::Kind::kHorizon});
   horizon_side_.clear();
-  if (++generation_ == 0) {  // it wrapped around
-    std::ranges::fill(piece_entries_, PieceEntry{});
-    std::ranges::fill(edge_entries_, EdgeEntry{});
-    generation_ = 1;
-  }
+  receiver_sides_.Clear();
+  edge_planes_.Clear();
 }
 
 template <class Geometry>
 Sign ConeMaker<Geometry>::ReceiverSide(int piece) {
-  PieceEntry& entry = piece_entries_[Index(piece)];
-  if (entry.generation != generation_) {
-    const int triangle = pieces_.pieces()[Index(piece)].triangle;
-    entry = {generation_, geometry_.ReceiverSide(triangle)};
-  }
-  return entry.side;
+  return receiver_sides_.FindOrMake(piece, [&] {
+    return geometry_.ReceiverSide(pieces_.pieces()[Index(piece)].triangle);
+  });
 }
 
 template <class Geometry>
 Sign ConeMaker<Geometry>::HorizonSide(int vertex) {
   const int direction = geometry_.VertexDirection(vertex);
   if (Index(direction) >= horizon_side_.size()) {
-    horizon_side_.resize(Index(direction) + 1, kUnknown);
+    horizon_side_.resize(Index(direction) + 1);
   }
-  signed char& side = horizon_side_[Index(direction)];
-  if (side == kUnknown) {
-    side =
-        static_cast<signed char>(geometry_.PlaneSide(horizon_, direction).sign);
-  }
-  return static_cast<Sign>(side);
+  return horizon_side_[Index(direction)].Get(
+      [&] { return geometry_.PlaneSide(horizon_, direction).sign; });
 }
 
 template <class Geometry>
 int ConeMaker<Geometry>::EdgePlane(int edge) {
-  EdgeEntry& entry = edge_entries_[Index(edge)];
-  if (entry.generation != generation_) {
+  return edge_planes_.FindOrMake(edge, [&] {
     const int index = pieces_.PieceOf(edge);
     const auto corners = pieces_.corners();
     PlaneRecipe recipe{.kind = PlaneRecipe::Kind::kEdge,
                        .a = corners[Index(edge)],
                        .b = corners[Index(pieces_.NextCorner(edge))]};
     if (ReceiverSide(index) != Sign::kPositive) std::swap(recipe.a, recipe.b);
-    entry = {generation_, geometry_.AddPlane(recipe)};
-  }
-  return entry.plane;
+    return geometry_.AddPlane(recipe);
+  });
 }
 
 template <class Geometry>
@@ -82,6 +72,7 @@ template <class Geometry>
 Cone ConeMaker<Geometry>::Whole(int piece) {
   const Piece& p = pieces_.pieces()[Index(piece)];
   const auto corners = pieces_.CornersOf(p);
+  assert(ReceiverSide(piece) != Sign::kZero);
   // h > 0: the normal points away from r, so that the corners already run
   // counter-clockwise seen from r; else they run clockwise.
   const bool forward = ReceiverSide(piece) == Sign::kPositive;

@@ -6,11 +6,13 @@
 #define TRUELUX_VISIBILITY_EDGES_CONE_H_
 
 #include <array>
-#include <cstdint>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "base/stamped_table.h"
+#include "exact/cached_sign.h"
 #include "exact/view_geometry.h"
 #include "scene/index/convex_pieces.h"
 
@@ -34,8 +36,10 @@ struct Cone {
   int bundle = kNoPlane;  ///< of the planes, in their order; likewise
   std::array<int, kMaxEdges> edges{};  ///< of ConvexPieces, or kNoEdge
 
+  /// Direction where edge k begins.
   [[nodiscard]] int From(std::size_t k) const { return directions[k]; }
 
+  /// Direction where edge k ends.
   [[nodiscard]] int To(std::size_t k) const {
     return directions[k + 1 < size ? k + 1 : 0];
   }
@@ -84,18 +88,6 @@ class ConeMaker {
   Sign HorizonSide(int vertex);
 
  private:
-  struct PieceEntry {
-    std::uint32_t generation = 0;  ///< valid if it is the current one
-    Sign side = Sign::kZero;
-  };
-
-  struct EdgeEntry {
-    std::uint32_t generation = 0;  ///< valid if it is the current one
-    int plane = Cone::kNoPlane;
-  };
-
-  static constexpr signed char kUnknown = 2;
-
   void MakePlanes(Cone& cone);
 
   template <class MakeCrossing>
@@ -105,10 +97,9 @@ class ConeMaker {
   Geometry& geometry_;
   const ConvexPieces& pieces_;
   int horizon_ = -1;
-  std::uint32_t generation_ = 0;
-  std::vector<PieceEntry> piece_entries_;
-  std::vector<EdgeEntry> edge_entries_;
-  std::vector<signed char> horizon_side_;  ///< per direction id; kUnknown
+  StampedTable<Sign> receiver_sides_;     ///< per piece
+  StampedTable<int> edge_planes_;         ///< per edge
+  std::vector<CachedSign> horizon_side_;  ///< per direction id
 };
 
 /// Whether all directions of `inner` lie in the closed `outer`, which is

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/stamped_table.h"
 #include "scene/emitters.h"
+#include "visibility/edges/blocker_parts.h"
 #include "visibility/edges/cone.h"
 #include "visibility/edges/contour_writer.h"
+#include "visibility/edges/direction_sides.h"
+#include "visibility/edges/source_cones.h"
 #include "visibility/edges/source_contour.h"
 #include "visibility/edges/source_join.h"
-#include "visibility/edges/source_parts.h"
 
 namespace truelux {
 
@@ -55,8 +58,11 @@ class BasicContourBuilder<kKind>::Impl {
             {engine.scene().vertices(), engine.scene().triangles(), {}, {}},
             engine.triangle_normals()),
         cones_(geometry_, engine.pieces()),
-        parts_(engine.scene(), engine.pieces(), geometry_, cones_),
-        arcs_(engine.pieces(), geometry_, cones_, parts_),
+        source_(engine.scene(), engine.pieces(), geometry_, cones_),
+        source_sides_(geometry_),
+        blockers_(engine.pieces(), geometry_, cones_, source_, source_sides_),
+        arcs_(engine.pieces(), geometry_, cones_, source_, blockers_,
+              source_sides_),
         join_(engine.scene(), engine.pieces(), geometry_),
         writer_(engine.scene(), engine.pieces(), geometry_),
         ignored_(engine.scene()) {}
@@ -64,7 +70,7 @@ class BasicContourBuilder<kKind>::Impl {
   void StartBlock(std::span<const Receiver> receivers) {
     in_block_ = receivers.size() > 1;
     if (!in_block_) return;
-    ++block_;
+    cuts_.Clear();
     block_box_ = {};
     block_normal_ = receivers.front().normal;
     for (const Receiver& receiver : receivers) {
@@ -80,8 +86,8 @@ class BasicContourBuilder<kKind>::Impl {
     ignored_.SetOnFace(query.receiver.on_face);
     arcs_of_all_.clear();
     ends_.clear();
-    sources_ = 0;
-    blockers_ = 0;
+    source_count_ = 0;
+    blocker_count_ = 0;
     const Receiver& receiver = query.receiver;
     if (query.only_source == 0) {
       for (std::size_t e = 0; e < engine_.emitters().size(); ++e) {
@@ -113,8 +119,8 @@ class BasicContourBuilder<kKind>::Impl {
       first = source.end;
     }
     contour.statistics = geometry_.statistics();
-    contour.statistics.sources = sources_;
-    contour.statistics.blockers = blockers_;
+    contour.statistics.sources = source_count_;
+    contour.statistics.blockers = blocker_count_;
     contour.statistics.arcs = contour.arcs.size();
   }
 
@@ -126,21 +132,16 @@ class BasicContourBuilder<kKind>::Impl {
     std::size_t end;
   };
 
-  /// What a block of receivers shares towards one emitter.
-  struct SharedCut {
-    std::uint64_t block = 0;  ///< valid if it is the current one
-    TreeCut cut;
-  };
-
   /// False if nothing of the facet can be seen.
   bool StartSource(int facet) {
     if (ignored_.IsIgnored(facet) ||
         cones_.ReceiverSide(engine_.pieces().FirstPieceOf(facet)) !=
             Sign::kNegative ||
-        !parts_.SetSource(facet)) {
+        !source_.SetSource(facet)) {
       return false;
     }
-    ++sources_;
+    blockers_.Start();
+    ++source_count_;
     return true;
   }
 
@@ -158,14 +159,14 @@ class BasicContourBuilder<kKind>::Impl {
 
   void AddPiece(int piece) {
     ImageBox box;
-    if (!parts_.MayBlock(piece, box)) return;
+    if (!blockers_.MayBlock(piece, box)) return;
     const Piece& p = engine_.pieces().pieces()[static_cast<std::size_t>(piece)];
-    if (!ignored_.IsIgnored(p.facet)) parts_.AddBlocker(piece, box);
+    if (!ignored_.IsIgnored(p.facet)) blockers_.Add(piece, box);
   }
 
   void FinishSource(int facet) {
     arcs_.AppendArcs(arcs_of_all_);
-    blockers_ += parts_.blockers().size();
+    blocker_count_ += blockers_.parts().size();
     ends_.push_back({facet, arcs_of_all_.size()});
   }
 
@@ -186,21 +187,22 @@ class BasicContourBuilder<kKind>::Impl {
   /// What the block's receivers share; null without a block.
   const TreeCut* CutOf(std::size_t emitter) {
     if (!in_block_) return nullptr;
-    cuts_.resize(engine_.emitters().size());
-    SharedCut& shared = cuts_[emitter];
-    if (shared.block != block_) {
-      shared.block = block_;
+    cuts_.Cover(engine_.emitters().size());
+    const int key = static_cast<int>(emitter);
+    if (!cuts_.Has(key)) {
       engine_.tree().Narrow(
           Shaft(engine_.emitters()[emitter].shafts, block_box_, block_normal_),
-          shared.cut);
+          cuts_.Renew(key));
     }
-    return &shared.cut;
+    return &cuts_[key];
   }
 
   const ContourEngine& engine_;
   BasicViewGeometry<kKind> geometry_;
   ConeMaker<BasicViewGeometry<kKind>> cones_;
-  SourceParts<BasicViewGeometry<kKind>> parts_;
+  SourceCones<BasicViewGeometry<kKind>> source_;
+  DirectionSides<BasicViewGeometry<kKind>> source_sides_;
+  BlockerParts<BasicViewGeometry<kKind>> blockers_;
   SourceContour<BasicViewGeometry<kKind>> arcs_;
   SourceJoin<BasicViewGeometry<kKind>> join_;
   ContourWriter<BasicViewGeometry<kKind>> writer_;
@@ -208,14 +210,13 @@ class BasicContourBuilder<kKind>::Impl {
   std::vector<SourceEnd> ends_;
   std::vector<bool> dropped_;  ///< per arc
   IgnoredFacetCache ignored_;
-  std::uint64_t sources_ = 0;
-  std::uint64_t blockers_ = 0;
+  std::uint64_t source_count_ = 0;
+  std::uint64_t blocker_count_ = 0;
 
   bool in_block_ = false;
-  std::uint64_t block_ = 0;  ///< one more for every block
   Box block_box_;
   std::optional<Vector3> block_normal_;  ///< if all receivers share it
-  std::vector<SharedCut> cuts_;          ///< per emitter
+  StampedTable<TreeCut> cuts_;           ///< per emitter, of the block
 };
 
 template <PredicateKind kKind>

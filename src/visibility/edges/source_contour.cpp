@@ -19,8 +19,15 @@ template <class Geometry>
 SourceContour<Geometry>::SourceContour(const ConvexPieces& pieces,
                                        Geometry& geometry,
                                        ConeMaker<Geometry>& cones,
-                                       SourceParts<Geometry>& parts)
-    : pieces_(pieces), geometry_(geometry), cones_(cones), parts_(parts) {}
+                                       SourceCones<Geometry>& source,
+                                       BlockerParts<Geometry>& blockers,
+                                       DirectionSides<Geometry>& sides)
+    : pieces_(pieces),
+      geometry_(geometry),
+      cones_(cones),
+      source_(source),
+      blockers_(blockers),
+      source_sides_(sides) {}
 
 /// Whether both sides of a source's edge are source: the pieces on both its
 /// sides survived the horizon.
@@ -28,7 +35,7 @@ template <class Geometry>
 bool SourceContour<Geometry>::IsDiagonal(int edge) const {
   for (int other = pieces_.NextSameEdge(edge); other != edge;
        other = pieces_.NextSameEdge(other)) {
-    if (parts_.IsSource(pieces_.PieceOf(other))) return true;
+    if (source_.IsSource(pieces_.PieceOf(other))) return true;
   }
   return false;
 }
@@ -47,7 +54,7 @@ bool SourceContour<Geometry>::IsInner(int edge) {
   for (int other = pieces_.NextSameEdge(edge); other != edge;
        other = pieces_.NextSameEdge(other)) {
     const int piece = pieces_.PieceOf(other);
-    if (!parts_.IsBlocker(piece)) continue;
+    if (!blockers_.IsBlocker(piece)) continue;
     if (own_start < 0) own_start = start(edge, pieces_.PieceOf(edge));
     if (start(other, piece) != own_start) return true;
   }
@@ -71,8 +78,8 @@ void SourceContour<Geometry>::NumberEdges(std::span<Part> parts,
 template <class Geometry>
 void SourceContour<Geometry>::NumberCandidates() {
   int next = 0;
-  NumberEdges(parts_.sources(), false, next);
-  NumberEdges(parts_.blockers(), true, next);
+  NumberEdges(source_.parts(), false, next);
+  NumberEdges(blockers_.parts(), true, next);
 }
 
 /// Whether a cover of the edge's own plane belongs to a candidate that owns
@@ -85,16 +92,13 @@ bool SourceContour<Geometry>::IsOwnedBefore(const Part& part,
   return owner != Part::kNoCandidate && owner < id;
 }
 
-/// Adds the interval of a blocker's edge that lies in the chosen cone of the
-/// source, where arcs can be, if there is one.
+/// Adds the interval of a blocker's edge that lies in a cone of the source,
+/// the one that source_sides_ is about, if arcs can be there.
 template <class Geometry>
-void SourceContour<Geometry>::StartEdge(std::size_t k) {
+void SourceContour<Geometry>::StartEdge(std::size_t k, const Part& source) {
   const ViewEdge& edge = edges_[k];
-  const Part& source = parts_.chosen();
-  parts_.SidesOfSource(edge.from);
-  BundleSides& to = parts_.SidesOfSource(edge.to);
-  // Asked for last: the first question may have moved the second's answer.
-  BundleSides& from = parts_.SidesOfSource(edge.from);
+  BundleSides& from = source_sides_.Of(edge.from);
+  BundleSides& to = source_sides_.Of(edge.to);
   const std::uint32_t all = geometry_.BundleMask(source.cone.bundle);
   if ((from.positive & to.positive) == all) {
     ranges_[k].Start(kEdgeFrom, kEdgeTo);
@@ -115,15 +119,16 @@ void SourceContour<Geometry>::StartEdge(std::size_t k) {
 /// Starts the edges of a blocker with what lies in the cones of the source.
 template <class Geometry>
 void SourceContour<Geometry>::StartBlocker(const Owner& owner) {
-  const auto boxes = parts_.source_boxes();
+  const auto boxes = source_.boxes();
   for (std::size_t s = 0; s < boxes.size(); ++s) {
-    if (!parts_.blocker_boxes()[owner.index].Meets(boxes[s])) continue;
-    // The choice of one cone stands for all blockers.
-    if (boxes.size() > 1) parts_.ChooseCone(s);
+    if (!blockers_.boxes()[owner.index].Meets(boxes[s])) continue;
+    const Part& source = source_.parts()[s];
+    // The only cone of a source has been chosen for all blockers.
+    if (boxes.size() > 1) source_sides_.SetBundle(source.cone.bundle);
     for (std::size_t k = 0; k < owner.part->cone.size; ++k) {
       const bool is_near = owner.part->candidates[k] != Part::kNoCandidate &&
                            boxes_[k].Meets(boxes[s]);
-      if (is_near) StartEdge(k);
+      if (is_near) StartEdge(k, source);
     }
   }
 }
@@ -134,7 +139,7 @@ std::uint32_t SourceContour<Geometry>::StartEdges(const Owner& owner) {
   const Cone& cone = owner.part->cone;
   for (std::size_t k = 0; k < cone.size; ++k) {
     edges_[k] = {cone.planes[k], cone.From(k), cone.To(k)};
-    boxes_[k] = parts_.BoxOfEdge(edges_[k].from, edges_[k].to);
+    boxes_[k] = source_.plane().BoxOfEdge(edges_[k].from, edges_[k].to);
     // Along its own edge a source holds the inner side, a blocker hides it.
     needs_positive_[k] = !owner.is_blocker;
     ranges_[k].Clear();
@@ -157,13 +162,13 @@ bool SourceContour<Geometry>::Hide(const Owner& owner, std::size_t p,
   const Cone& own = owner.part->cone;
   const std::size_t size = own.size;
   const auto next = [size](std::size_t k) { return k + 1 < size ? k + 1 : 0; };
-  const ImageBox& box = parts_.blocker_boxes()[p];
+  const ImageBox& box = blockers_.boxes()[p];
   std::uint32_t near = 0;
   for (std::size_t k = 0; k < size; ++k)
     near |= (boxes_[k].Meets(box) ? 1U : 0U) << k;
   near &= open;
   if (near == 0) return true;
-  Part& blocker = parts_.blockers()[p];
+  Part& blocker = blockers_.parts()[p];
   cones_.Complete(blocker.cone);
   for (std::size_t k = 0; k < size; ++k) {
     geometry_.FilterSides(blocker.cone.bundle, own.directions[k], sides_[k]);
@@ -208,8 +213,8 @@ void SourceContour<Geometry>::SweepPart(const Owner& owner) {
   cones_.Complete(owner.part->cone);
   std::uint32_t open = StartEdges(owner);
   if (open == 0) return;
-  const ImageBox& box = owner.is_blocker ? parts_.blocker_boxes()[owner.index]
-                                         : parts_.source_boxes()[owner.index];
+  const ImageBox& box = owner.is_blocker ? blockers_.boxes()[owner.index]
+                                         : source_.boxes()[owner.index];
   const bool any_left = bins_.ForEach(box, [&](std::size_t p) {
     if (owner.is_blocker && p == owner.index) return true;
     return Hide(owner, p, open);
@@ -227,17 +232,17 @@ void SourceContour<Geometry>::SweepPart(const Owner& owner) {
 
 template <class Geometry>
 void SourceContour<Geometry>::AppendArcs(std::vector<ViewArc>& arcs) {
-  if (parts_.hidden()) return;
+  if (blockers_.hide_all()) return;
   arcs_ = &arcs;
-  bins_.Build(parts_.blocker_boxes(), parts_.source_box());
-  if (parts_.blockers().size() >= kManyBlockers) {
-    parts_.DropHiddenBlockers(bins_);
+  bins_.Build(blockers_.boxes(), source_.box());
+  if (blockers_.parts().size() >= kManyBlockers) {
+    blockers_.DropHidden(bins_);
   }
   NumberCandidates();
-  for (std::size_t s = 0; s < parts_.sources().size(); ++s)
-    SweepPart({&parts_.sources()[s], s, false});
-  for (std::size_t p = 0; p < parts_.blockers().size(); ++p)
-    SweepPart({&parts_.blockers()[p], p, true});
+  for (std::size_t s = 0; s < source_.parts().size(); ++s)
+    SweepPart({&source_.parts()[s], s, false});
+  for (std::size_t p = 0; p < blockers_.parts().size(); ++p)
+    SweepPart({&blockers_.parts()[p], p, true});
 }
 
 template class SourceContour<ViewGeometry>;

@@ -8,10 +8,12 @@
 #include <span>
 #include <vector>
 
+#include "visibility/edges/blocker_parts.h"
 #include "visibility/edges/coverage.h"
+#include "visibility/edges/direction_sides.h"
 #include "visibility/edges/open_range.h"
 #include "visibility/edges/part_bins.h"
-#include "visibility/edges/source_parts.h"
+#include "visibility/edges/source_cones.h"
 
 namespace truelux {
 
@@ -23,16 +25,18 @@ struct ViewArc {
   int own_edge = kNoEdge;  ///< the source's edge that it lies on, or kNoEdge
 };
 
-/// Finds the arcs of a source from its parts.
+/// Finds the arcs of a source from its cones and its blockers.
 template <class Geometry>
 class SourceContour {
  public:
   /// The arguments must outlive the object.
   SourceContour(const ConvexPieces& pieces, Geometry& geometry,
-                ConeMaker<Geometry>& cones, SourceParts<Geometry>& parts);
+                ConeMaker<Geometry>& cones, SourceCones<Geometry>& source,
+                BlockerParts<Geometry>& blockers,
+                DirectionSides<Geometry>& sides);
 
-  /// Appends the arcs that bound what is visible of the source that `parts`
-  /// holds; none if nothing is.
+  /// Appends the arcs that bound what is visible of the source behind its
+  /// blockers; none if nothing is visible.
   void AppendArcs(std::vector<ViewArc>& arcs);
 
  private:
@@ -52,14 +56,16 @@ class SourceContour {
   void SweepPart(const Owner& owner);
   std::uint32_t StartEdges(const Owner& owner);
   void StartBlocker(const Owner& owner);
-  void StartEdge(std::size_t k);
+  void StartEdge(std::size_t k, const Part& source);
   bool Hide(const Owner& owner, std::size_t p, std::uint32_t& open);
   void AddArc(const Owner& owner, std::size_t k, const VisiblePiece& piece);
 
   const ConvexPieces& pieces_;
   Geometry& geometry_;
   ConeMaker<Geometry>& cones_;
-  SourceParts<Geometry>& parts_;
+  SourceCones<Geometry>& source_;
+  BlockerParts<Geometry>& blockers_;
+  DirectionSides<Geometry>& source_sides_;  ///< to a cone of source_
   PartBins bins_;
   std::vector<ViewArc>* arcs_ = nullptr;  ///< of the call that is running
 

@@ -1,0 +1,61 @@
+// The sides of directions to the planes of one cone, each asked for once.
+
+#ifndef TRUELUX_VISIBILITY_EDGES_DIRECTION_SIDES_H_
+#define TRUELUX_VISIBILITY_EDGES_DIRECTION_SIDES_H_
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "base/stamped_table.h"
+#include "exact/plane_bundle.h"
+
+namespace truelux {
+
+/// Keeps the sides of directions to the planes of one bundle after the other.
+/// Allocates nothing in the steady state.
+template <class Geometry>
+class DirectionSides {
+ public:
+  /// The geometry must outlive the object.
+  explicit DirectionSides(Geometry& geometry) : geometry_(geometry) {}
+
+  /// Chooses the bundle and forgets all sides, also those to this bundle.
+  void SetBundle(int bundle) {
+    bundle_ = bundle;
+    by_direction_.Clear();
+    used_ = 0;
+  }
+
+  /// The bundle that Of is about.
+  [[nodiscard]] int bundle() const { return bundle_; }
+
+  /// The complete sides of a direction to the planes of the bundle. The
+  /// reference is valid until SetBundle, whatever is asked in between.
+  BundleSides& Of(int direction) {
+    by_direction_.Cover(static_cast<std::size_t>(direction) + 1);
+    return *by_direction_.FindOrMake(
+        direction, [this, direction] { return MakeSides(direction); });
+  }
+
+ private:
+  BundleSides* MakeSides(int direction) {
+    if (used_ == storage_.size()) {
+      storage_.push_back(std::make_unique<BundleSides>());
+    }
+    BundleSides* const sides = storage_[used_++].get();
+    geometry_.FilterSides(bundle_, direction, *sides);
+    geometry_.CompleteSides(bundle_, direction, *sides);
+    return sides;
+  }
+
+  Geometry& geometry_;
+  int bundle_ = -1;
+  StampedTable<BundleSides*> by_direction_;
+  std::vector<std::unique_ptr<BundleSides>> storage_;  ///< these never move
+  std::size_t used_ = 0;                               ///< of storage_
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_EDGES_DIRECTION_SIDES_H_

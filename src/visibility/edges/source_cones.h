@@ -1,0 +1,83 @@
+// One source seen from one receiver: the cones that it consists of (method.md,
+// section 4).
+
+#ifndef TRUELUX_VISIBILITY_EDGES_SOURCE_CONES_H_
+#define TRUELUX_VISIBILITY_EDGES_SOURCE_CONES_H_
+
+#include <span>
+#include <vector>
+
+#include "truelux/scene.h"
+
+#include "base/stamped_table.h"
+#include "exact/view_geometry.h"
+#include "scene/index/convex_pieces.h"
+#include "visibility/edges/cone.h"
+#include "visibility/edges/image_box.h"
+#include "visibility/edges/part.h"
+#include "visibility/edges/source_plane.h"
+
+namespace truelux {
+
+/// The cones of one source S after the other: those of a facet's pieces, above
+/// the horizon.
+template <class Geometry>
+class SourceCones {
+ public:
+  /// The arguments must outlive the object.
+  SourceCones(const Scene& scene, const ConvexPieces& pieces,
+              Geometry& geometry, ConeMaker<Geometry>& cones);
+
+  /// Chooses the source. False if nothing of it is above the horizon. Requires
+  /// r strictly in front of the facet.
+  bool SetSource(int facet);
+
+  /// The pieces of the source above the horizon, each a complete cone.
+  [[nodiscard]] std::span<Part> parts() { return parts_; }
+
+  /// The boxes of parts(), in their order.
+  [[nodiscard]] std::span<const ImageBox> boxes() const { return boxes_; }
+
+  /// Contains them all.
+  [[nodiscard]] const ImageBox& box() const { return box_; }
+
+  /// The source's plane.
+  [[nodiscard]] SourcePlane<Geometry>& plane() { return plane_; }
+
+  /// The facet that is the source.
+  [[nodiscard]] int facet() const { return facet_; }
+
+  /// Whether a piece is one of parts().
+  [[nodiscard]] bool IsSource(int piece) const {
+    return is_source_.Contains(piece);
+  }
+
+  /// Whether a facet is known, without arithmetic, to lie in the source's plane.
+  [[nodiscard]] bool IsCoplanar(int facet) const {
+    return pieces_.PlaneNumber(facet) == pieces_.PlaneNumber(facet_);
+  }
+
+  /// Whether a facet's face comes before the source's: of two faces in one
+  /// plane the earlier one hides the other.
+  [[nodiscard]] bool IsEarlier(int facet) const;
+
+ private:
+  const Scene& scene_;
+  const ConvexPieces& pieces_;
+  Geometry& geometry_;
+  ConeMaker<Geometry>& cones_;
+
+  int facet_ = -1;
+  SourcePlane<Geometry> plane_;
+  std::vector<Part> parts_;
+  std::vector<ImageBox> boxes_;
+  ImageBox box_;
+  StampedSet is_source_;  ///< of pieces
+};
+
+extern template class SourceCones<ViewGeometry>;
+extern template class SourceCones<UnfilteredViewGeometry>;
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_EDGES_SOURCE_CONES_H_

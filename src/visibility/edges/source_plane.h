@@ -1,0 +1,82 @@
+// The plane of one source: where directions from r meet it, and on which side
+// of it vertices are.
+
+#ifndef TRUELUX_VISIBILITY_EDGES_SOURCE_PLANE_H_
+#define TRUELUX_VISIBILITY_EDGES_SOURCE_PLANE_H_
+
+#include <cstddef>
+#include <span>
+
+#include "base/stamped_table.h"
+#include "exact/cached_sign.h"
+#include "exact/view_geometry.h"
+#include "visibility/edges/cone.h"
+#include "visibility/edges/image_box.h"
+
+namespace truelux {
+
+/// Answers about one plane after the other; each direction and each vertex is
+/// looked at once per plane. Answers are values: later questions move nothing.
+template <class Geometry>
+class SourcePlane {
+ public:
+  /// The geometry must outlive the object.
+  explicit SourcePlane(Geometry& geometry) : geometry_(geometry) {}
+
+  /// Starts with the plane of a triangle, which r is in front of.
+  void Start(int triangle);
+
+  /// The triangle that carries the plane.
+  [[nodiscard]] int triangle() const { return triangle_; }
+
+  /// Makes `box` contain the images of some vertices, at least one, and so of
+  /// their hull. False if certainly none of the directions to them ever meets
+  /// the plane.
+  bool BoxOfVertices(std::span<const int> vertices, ImageBox& box);
+
+  /// A box that contains the image of a cone.
+  ImageBox BoxOf(const Cone& cone);
+
+  /// A box that contains the image of an edge between two directions.
+  ImageBox BoxOfEdge(int from, int to);
+
+  /// Notes that a vertex is known, without arithmetic, to lie in the plane.
+  void MarkInPlane(int vertex) {
+    EntryOf(geometry_.VertexDirection(vertex)).side = CachedSign(Sign::kZero);
+  }
+
+  /// Sign of VertexSide to the plane, asked once.
+  Sign SideOf(int vertex) {
+    return EntryOf(geometry_.VertexDirection(vertex)).side.Get([&] {
+      return geometry_.VertexSide(triangle_, vertex);
+    });
+  }
+
+ private:
+  /// What a direction is to the plane.
+  struct Entry {
+    ImageBox box;
+    bool misses = false;  ///< certainly never meets the plane
+    CachedSign side;      ///< of VertexSide, for a vertex
+  };
+
+  /// Valid until EntryOf another direction: stays inside this class.
+  Entry& EntryOf(int direction) {
+    entries_.Cover(static_cast<std::size_t>(direction) + 1);
+    return entries_.Has(direction) ? entries_[direction] : MakeEntry(direction);
+  }
+
+  Entry& MakeEntry(int direction);
+
+  Geometry& geometry_;
+  int triangle_ = -1;
+  ImageChart chart_;
+  StampedTable<Entry> entries_;  ///< per direction id
+};
+
+extern template class SourcePlane<ViewGeometry>;
+extern template class SourcePlane<UnfilteredViewGeometry>;
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_EDGES_SOURCE_PLANE_H_

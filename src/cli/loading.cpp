@@ -12,7 +12,6 @@
 #include "scene/diagnostic_list.h"
 #include "scene/emitters.h"
 #include "scene/io/read_scene.h"
-#include "scene/io/text_file.h"
 #include "text/receivers.h"
 
 namespace truelux {
@@ -51,12 +50,11 @@ void ReadTable(ByteSource& source, const std::string& name, int face_count,
 }  // namespace
 
 Scene LoadScene(const std::string& path, const OutputPaths& outputs) {
-  // Which MTL files are inputs is known only when the OBJ is read.
-  const FileOpener open = [&outputs](const std::filesystem::path& input) {
-    CheckInput(outputs, input.string());
-    return ReadTextFile(input);
-  };
-  Result<Scene> scene = ReadSceneWith(open, path);
+  CheckInput(outputs, path);
+  auto [scene, files] = ReadSceneAndFiles(path);
+  // Which MTL files are inputs is known only when the OBJ has been read.
+  for (const std::filesystem::path& file : files)
+    CheckInput(outputs, file.string());
   StopIfInterrupted();
   if (!scene.ok()) throw UserError(std::move(scene.diagnostics));
   Print(scene.diagnostics);

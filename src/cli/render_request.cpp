@@ -1,24 +1,23 @@
 #include "cli/render_request.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <fmt/format.h>
+#include <variant>
 
 #include "truelux/io.h"
 
 #include "cli/option_values.h"
 #include "cli/oracle_arguments.h"
+#include "cli/version.h"
 #include "run/user_error.h"
+#include "text/results.h"
 
 namespace truelux {
 namespace {
-
-constexpr std::array kExtraImages = {ExtraImage::kError, ExtraImage::kArcs,
-                                     ExtraImage::kClass};
 
 /// Pixels on a side: more than any picture that fits kMaxPixels has use for.
 constexpr std::int64_t kMaxSide = 65536;
@@ -29,31 +28,50 @@ std::string LowerCase(std::string text) {
   return text;
 }
 
-void ParseOutputs(const RenderArguments& arguments, RenderRequest& request) {
-  request.output = PathValue("--output", arguments.output);
+/// A further picture goes beside the output: "image_error.png".
+OutputPath BesideOutput(const std::string& output, ExtraPicture extra) {
+  std::filesystem::path base = output;
+  base.replace_extension();
+  return {fmt::format("--also {}", Name(extra)),
+          base.string() + "_" + Name(extra) + ".png"};
+}
+
+/// Whether the output is an EXR file; otherwise it is a PNG.
+bool IsExr(const std::string& output) {
   const std::string extension =
-      LowerCase(std::filesystem::path(request.output).extension().string());
-  request.is_exr = extension == ".exr";
-  if (!request.is_exr && extension != ".png") {
-    throw UsageError(fmt::format(
-        "--output: '{}' ends with neither .exr nor .png", request.output));
+      LowerCase(std::filesystem::path(output).extension().string());
+  if (extension != ".exr" && extension != ".png") {
+    throw UsageError(
+        fmt::format("--output: '{}' ends with neither .exr nor .png", output));
   }
-  request.receivers_out = PathValue("--receivers-out", arguments.receivers_out);
-  request.values = PathValue("--values", arguments.values);
-  for (const auto& [option, path] :
-       {std::pair("--receivers-out", request.receivers_out),
-        std::pair("--values", request.values)}) {
-    if (path == "-") {
-      throw UsageError(fmt::format("{}: '-' is no file", option));
-    }
+  return extension == ".exr";
+}
+
+void ParseOutputs(const RenderArguments& arguments, RenderRequest& request) {
+  const std::string output = PathValue("--output", arguments.output);
+  request.style.is_exr = IsExr(output);
+  request.outputs = {{"--output", output}};
+  const OutputPath receivers_out = {
+      "--receivers-out", PathValue("--receivers-out", arguments.receivers_out)};
+  const OutputPath values = {"--values",
+                             PathValue("--values", arguments.values)};
+  for (const OutputPath& table : {receivers_out, values}) {
+    if (table.path == "-")
+      throw UsageError(fmt::format("{}: '-' is no file", table.option));
+    if (!table.path.empty()) request.outputs.push_back(table);
   }
-  for (const ExtraImage image : kExtraImages) {
-    if (std::ranges::find(arguments.also, Name(image)) != arguments.also.end())
-      request.also.push_back(image);
+  request.receivers_out = !receivers_out.path.empty();
+  request.values = !values.path.empty();
+  for (const ExtraPicture extra : kExtraPictures) {
+    if (std::ranges::find(arguments.also, Name(extra)) == arguments.also.end())
+      continue;
+    request.also.push_back(extra);
+    request.outputs.push_back(BesideOutput(output, extra));
+    Wish(extra, request.wishes);
   }
 }
 
-Camera ParseCamera(const RenderArguments& arguments) {
+CameraFrame ParseCamera(const RenderArguments& arguments) {
   const auto triple = [](const char* option,
                          const std::optional<std::string>& word) {
     if (!word) {
@@ -77,26 +95,26 @@ Camera ParseCamera(const RenderArguments& arguments) {
   }
   const Camera camera{{ex, ey, ez}, {tx, ty, tz}, {ux, uy, uz}, *fov};
   std::string defect;
-  if (!CameraFrameOf(camera, defect)) throw UsageError("the camera: " + defect);
-  return camera;
+  const std::optional<CameraFrame> frame = CameraFrameOf(camera, defect);
+  if (!frame) throw UsageError("the camera: " + defect);
+  return *frame;
 }
 
-void ParseView(const RenderArguments& arguments, RenderRequest& request) {
+PictureSubject ParseSubject(const RenderArguments& arguments) {
   const bool has_camera =
       arguments.eye || arguments.target || arguments.up || arguments.fov;
   if (arguments.surface.has_value() == has_camera) {
     throw UsageError(
         "either --surface, or a camera by --eye, --target, --up and --fov");
   }
-  if (has_camera) {
-    request.camera = ParseCamera(arguments);
-    return;
-  }
-  request.surface = *arguments.surface;
-  if (request.surface.empty()) throw UsageError("--surface: the name is empty");
+  if (has_camera) return ParseCamera(arguments);
+  if (arguments.surface->empty())
+    throw UsageError("--surface: the name is empty");
+  return *arguments.surface;
 }
 
-void ParseSize(const std::string& text, RenderRequest& request) {
+/// is_surface: its height may follow from its width.
+PictureSize ParseSize(const std::string& text, bool is_surface) {
   const std::size_t cross = text.find('x');
   const auto side = [&](const std::string& word) {
     const std::optional<double> number = ParseNumber(word);
@@ -108,28 +126,19 @@ void ParseSize(const std::string& text, RenderRequest& request) {
     }
     return static_cast<int>(*number);
   };
-  request.width = side(text.substr(0, cross));
+  PictureSize size;
+  size.width = side(text.substr(0, cross));
   if (cross != std::string::npos) {
-    request.height = side(text.substr(cross + 1));
-  } else if (request.camera) {
-    request.height = request.width;
+    size.height = side(text.substr(cross + 1));
+  } else if (!is_surface) {
+    size.height = size.width;
   }
-  if (request.height > 0) CheckPixelCount(request.width, request.height);
+  if (size.height > 0) CheckPixelCount(size.width, size.height);
+  return size;
 }
 
-/// How numbers become colours.
-void ParseColours(const RenderArguments& arguments, RenderRequest& request) {
-  request.false_colour = arguments.false_colour;
-  request.isolux = !arguments.no_isolux;
-  if (request.is_exr && (arguments.exposure || arguments.white ||
-                         arguments.false_colour || arguments.no_isolux)) {
-    throw UsageError(
-        "--exposure, --white, --false-colour and --no-isolux belong to a PNG; "
-        "an EXR file holds the numbers themselves");
-  }
-  if (arguments.no_isolux && !arguments.false_colour) {
-    throw UsageError("--no-isolux belongs to --false-colour");
-  }
+/// What the picture shows as white; nothing: it is not said.
+std::optional<double> ParseWhite(const RenderArguments& arguments) {
   if (arguments.exposure && arguments.white) {
     throw UsageError("--exposure and --white say the same: give one of them");
   }
@@ -141,89 +150,85 @@ void ParseColours(const RenderArguments& arguments, RenderRequest& request) {
           fmt::format("--exposure: '{}' is not a number from -{} to {}",
                       *arguments.exposure, kMostStops, kMostStops));
     }
-    request.white = std::exp2(-*stops);
+    return std::exp2(-*stops);
   }
-  if (arguments.white) {
-    const std::optional<double> white = ParseNumber(*arguments.white);
-    if (!white || !(*white > 0)) {
-      throw UsageError(fmt::format("--white: '{}' is not a positive number",
-                                   *arguments.white));
-    }
-    request.white = *white;
+  if (!arguments.white) return std::nullopt;
+  const std::optional<double> white = ParseNumber(*arguments.white);
+  if (!white || !(*white > 0)) {
+    throw UsageError(fmt::format("--white: '{}' is not a positive number",
+                                 *arguments.white));
   }
-  if (!arguments.channel) return;
-  if (!request.false_colour && !request.Wants(ExtraImage::kError)) {
-    throw UsageError("--channel belongs to --false-colour and --also error");
-  }
-  request.channel_given = true;
+  return white;
+}
+
+/// The parser of the command line has refused all other words.
+ScalarChannel ChannelOf(const std::string& word) {
   for (const ScalarChannel channel :
        {ScalarChannel::kRed, ScalarChannel::kGreen, ScalarChannel::kBlue}) {
-    // The parser of the command line has refused all other words.
-    if (*arguments.channel == Name(channel)) request.channel = channel;
+    if (word == Name(channel)) return channel;
   }
+  return ScalarChannel::kLuminance;
+}
+
+/// How numbers become colours. wishes: of the further pictures.
+void ParseColours(const RenderArguments& arguments, const PixelWishes& wishes,
+                  PictureStyle& style) {
+  style.false_colour = arguments.false_colour;
+  style.isolux = !arguments.no_isolux;
+  if (style.is_exr && (arguments.exposure || arguments.white ||
+                       arguments.false_colour || arguments.no_isolux)) {
+    throw UsageError(
+        "--exposure, --white, --false-colour and --no-isolux belong to a PNG; "
+        "an EXR file holds the numbers themselves");
+  }
+  if (arguments.no_isolux && !arguments.false_colour) {
+    throw UsageError("--no-isolux belongs to --false-colour");
+  }
+  style.white = ParseWhite(arguments);
+  if (!arguments.channel) return;
+  if (!style.false_colour && !wishes.differences) {
+    throw UsageError("--channel belongs to --false-colour and --also error");
+  }
+  style.channel = ChannelOf(*arguments.channel);
+}
+
+/// What an EXR file says about itself.
+std::vector<ImageText> ExrTexts(const std::string& scene,
+                                const OracleOptions& options) {
+  return {{"comments",
+           fmt::format("irradiance [W/m^2] by truelux {}: the binary64 value "
+                       "({}) rounded once more to binary32",
+                       kVersion, Name(options.method))},
+          {"scene", std::filesystem::path(scene).filename().string()},
+          {"method", std::string(Name(options.method))},
+          {"emission", std::string(Name(options.emission))},
+          {"engine", std::string(Name(options.engine))}};
 }
 
 }  // namespace
-
-const char* Name(ExtraImage image) {
-  switch (image) {
-    case ExtraImage::kError:
-      break;
-    case ExtraImage::kArcs:
-      return "arcs";
-    case ExtraImage::kClass:
-      return "class";
-  }
-  return "error";
-}
-
-bool RenderRequest::Wants(ExtraImage image) const {
-  return std::ranges::find(also, image) != also.end();
-}
-
-std::string RenderRequest::PathOf(ExtraImage image) const {
-  std::filesystem::path base = output;
-  base.replace_extension();
-  return base.string() + "_" + Name(image) + ".png";
-}
-
-OutputPaths RenderRequest::Outputs() const {
-  OutputPaths outputs = {{"--output", output}};
-  if (!receivers_out.empty())
-    outputs.push_back({"--receivers-out", receivers_out});
-  if (!values.empty()) outputs.push_back({"--values", values});
-  for (const ExtraImage image : also) {
-    outputs.push_back({fmt::format("--also {}", Name(image)), PathOf(image)});
-  }
-  return outputs;
-}
 
 RenderRequest ParseRenderRequest(const RenderArguments& arguments) {
   RenderRequest request;
   request.scene = PathValue("SCENE.obj", arguments.scene);
   ParseOutputs(arguments, request);
-  ParseView(arguments, request);
-  ParseSize(arguments.size, request);
-  ParseColours(arguments, request);
+  request.subject = ParseSubject(arguments);
+  request.size = ParseSize(
+      arguments.size, std::holds_alternative<std::string>(request.subject));
+  ParseColours(arguments, request.wishes, request.style);
   request.options.method = MethodOf(arguments.method);
   request.options.engine = EngineOf(arguments.engine);
   request.options.emission = EmissionOf(arguments.emission);
   request.threads = ThreadsOf(arguments.threads);
-  if (request.Wants(ExtraImage::kError) &&
+  if (request.wishes.differences &&
       request.options.engine == Engine::kAngularSpans) {
     throw UsageError(
         "--also error compares two sums over arcs; --engine angular-spans has "
         "none");
   }
+  request.wishes.bounds =
+      request.values && request.options.method == Method::kDouble;
+  request.style.texts = ExrTexts(request.scene, request.options);
   return request;
-}
-
-void CheckPixelCount(int width, int height) {
-  if (std::int64_t{width} * height <= kMaxPixels) return;
-  throw UsageError(fmt::format(
-      "--size: {} x {} are more than {} pixels, which is the most that a "
-      "picture may have (it takes about 100 bytes of memory a pixel)",
-      width, height, kMaxPixels));
 }
 
 }  // namespace truelux

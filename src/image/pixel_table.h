@@ -3,28 +3,25 @@
 #ifndef TRUELUX_IMAGE_PIXEL_TABLE_H_
 #define TRUELUX_IMAGE_PIXEL_TABLE_H_
 
-#include <string>
-
 #include "truelux/irradiance.h"
-#include "truelux/receiver.h"
+
+#include "image/pixel_receivers.h"
+#include "image/render_pixels.h"
+#include "run/output_file.h"
 
 namespace truelux {
 
-/// "x,y,z,nx,ny,nz,on_face,px,py": a receivers table that eval reads; px and
-/// py are the pixel's column and row from 0. Without the line end.
-[[nodiscard]] std::string PixelReceiverHeader();
+/// Writes "x,y,z,nx,ny,nz,on_face,px,py" and a row for each pixel with a
+/// receiver, row of pixels after row: a receivers table that eval reads. px and
+/// py are the pixel's column and row from 0. Every number reads back to itself.
+/// Throws UserError if writing fails, and Interruption.
+void WritePixelReceivers(OutputFile& file, const PixelReceivers& receivers,
+                         const IrradianceImage& image);
 
-/// One row of it, with the line end. Every number reads back to itself.
-void AppendPixelReceiver(std::string& text, int x, int y,
-                         const Receiver& receiver);
-
-/// "px,py,E_r,E_g,E_b" and the bounds of kDouble, without the line end.
-[[nodiscard]] std::string PixelValueHeader(Method method);
-
-/// One row of it, with the line end; the bound is not looked at with
-/// kCertified.
-void AppendPixelValue(std::string& text, int x, int y, const Rgb& value,
-                      const Rgb& bound, Method method);
+/// The same of "px,py,E_r,E_g,E_b" and, with kDouble, the bounds, which the
+/// pixels have then.
+void WritePixelValues(OutputFile& file, const RenderedPixels& pixels,
+                      Method method);
 
 }  // namespace truelux
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <oneapi/tbb/parallel_for.h>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "run/interrupt.h"
@@ -25,9 +27,15 @@ struct Tile {
 
   std::vector<Pixel> pixels;
   std::vector<Receiver> receivers;
-  /// What the evaluation said of each: is anything visible, and could it be.
-  std::vector<ShadowClass> classes;
+  /// What the evaluation says of each; nothing: the contour has to tell.
+  std::vector<std::optional<ShadowClass>> classes;
 };
+
+OracleOptions OtherMethod(OracleOptions options) {
+  options.method =
+      options.method == Method::kDouble ? Method::kCertified : Method::kDouble;
+  return options;
+}
 
 class Renderer {
  public:
@@ -43,7 +51,10 @@ class Renderer {
     result_.image.values = Raster<Rgb>(w, h);
     result_.image.covered = Raster<std::uint8_t>(w, h, 0);
     if (wishes.bounds) result_.bounds = Raster<Rgb>(w, h);
-    if (wishes.other) result_.differences = Raster<Rgb>(w, h);
+    if (wishes.differences) {
+      other_.emplace(oracle.scene(), OtherMethod(oracle.options()));
+      result_.differences = Raster<Rgb>(w, h);
+    }
     if (wishes.arcs) result_.arcs = Raster<std::int32_t>(w, h, 0);
     if (wishes.classes) {
       result_.classes = Raster<ShadowClass>(w, h, ShadowClass::kNothing);
@@ -97,33 +108,32 @@ class Renderer {
       if (!is_long_) progress_.Advance();
       StopIfInterrupted();
     });
-    if (wishes_.other) Compare(tile);
+    if (other_) Compare(tile);
     if (is_long_) Describe(tile);
   }
 
   void Compare(const Tile& tile) {
-    wishes_.other->Evaluate(
-        tile.receivers, [&](std::size_t i, const Irradiance& e) {
-          const auto [x, y] = tile.pixels[i];
-          const Rgb& value = result_.image.values.At(x, y);
-          Rgb& difference = result_.differences.At(x, y);
-          for (std::size_t k = 0; k < 3; ++k) {
-            // Two infinities agree.
-            difference[k] =
-                value[k] == e.value[k] ? 0 : std::fabs(value[k] - e.value[k]);
-          }
-          StopIfInterrupted();
-        });
+    other_->Evaluate(tile.receivers, [&](std::size_t i, const Irradiance& e) {
+      const auto [x, y] = tile.pixels[i];
+      const Rgb& value = result_.image.values.At(x, y);
+      Rgb& difference = result_.differences.At(x, y);
+      for (std::size_t k = 0; k < 3; ++k) {
+        // Two infinities agree.
+        difference[k] =
+            value[k] == e.value[k] ? 0 : std::fabs(value[k] - e.value[k]);
+      }
+      StopIfInterrupted();
+    });
   }
 
-  /// kConjunctive: not dark, the contour has to tell.
-  [[nodiscard]] ShadowClass DarkClassOf(const Statistics& statistics) const {
+  /// The class if the evaluation found that nothing is visible.
+  [[nodiscard]] std::optional<ShadowClass> DarkClassOf(
+      const Statistics& statistics) const {
     // Sums over vertices count no arcs.
-    if (oracle_.options().engine == Engine::kAngularSpans)
-      return ShadowClass::kConjunctive;
+    if (oracle_.options().engine == Engine::kAngularSpans) return std::nullopt;
     if (statistics.sources == 0) return ShadowClass::kNoSource;
-    return statistics.arcs == 0 ? ShadowClass::kUmbra
-                                : ShadowClass::kConjunctive;
+    if (statistics.arcs == 0) return ShadowClass::kUmbra;
+    return std::nullopt;
   }
 
   void Describe(const Tile& tile) {
@@ -131,8 +141,8 @@ class Renderer {
       progress_.Advance();
       StopIfInterrupted();
       const auto [x, y] = tile.pixels[i];
-      if (tile.classes[i] != ShadowClass::kConjunctive) {
-        if (wishes_.classes) result_.classes.At(x, y) = tile.classes[i];
+      if (tile.classes[i]) {
+        if (wishes_.classes) result_.classes.At(x, y) = *tile.classes[i];
         continue;  // no arcs, either
       }
       const VisibleContour contour = oracle_.Contour(tile.receivers[i]);
@@ -149,6 +159,7 @@ class Renderer {
   const Oracle& oracle_;
   const PixelReceivers& receivers_;
   const PixelWishes& wishes_;
+  std::optional<Oracle> other_;  ///< if differences are wished for
   Progress& progress_;
   /// Whether contours are described, which takes longest.
   bool is_long_;

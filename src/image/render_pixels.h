@@ -4,7 +4,6 @@
 #define TRUELUX_IMAGE_RENDER_PIXELS_H_
 
 #include <cstdint>
-#include <optional>
 
 #include "truelux/irradiance.h"
 
@@ -19,8 +18,7 @@ namespace truelux {
 /// What is wanted besides the irradiance.
 struct PixelWishes {
   bool bounds = false;
-  /// The same scene by the other method, for |double - certified|.
-  std::optional<Oracle> other;
+  bool differences = false;  ///< |double - certified|
   bool arcs = false;
   bool classes = false;
 };

@@ -198,6 +198,16 @@ Result<Scene> ReadSceneWith(const FileOpener& open,
   return BuildScene(contents, loader, diagnostics);
 }
 
+SceneAndFiles ReadSceneAndFiles(const std::filesystem::path& obj) {
+  std::vector<std::filesystem::path> files;
+  const FileOpener open = [&files](const std::filesystem::path& path) {
+    files.push_back(path);
+    return ReadTextFile(path);
+  };
+  Result<Scene> scene = ReadSceneWith(open, obj);
+  return {std::move(scene), std::move(files)};
+}
+
 Result<Scene> ReadScene(const std::filesystem::path& obj) {
   return ReadSceneWith(ReadTextFile, obj);
 }

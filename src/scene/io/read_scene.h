@@ -4,6 +4,7 @@
 #define TRUELUX_SCENE_IO_READ_SCENE_H_
 
 #include <filesystem>
+#include <vector>
 
 #include "truelux/diagnostics.h"
 #include "truelux/scene.h"
@@ -16,6 +17,14 @@ namespace truelux {
 /// their names in the OBJ, relative to its folder.
 Result<Scene> ReadSceneWith(const FileOpener& open,
                             const std::filesystem::path& obj);
+
+/// What ReadScene gives, and which files it asked the file system for.
+struct SceneAndFiles {
+  Result<Scene> scene;
+  std::vector<std::filesystem::path> files;  ///< in that order, `obj` first
+};
+
+SceneAndFiles ReadSceneAndFiles(const std::filesystem::path& obj);
 
 }  // namespace truelux
 

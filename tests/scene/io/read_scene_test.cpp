@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -64,6 +65,19 @@ TEST(ReadScene, MaterialFilesAreRelativeToTheObj) {
        {"in/sub/a.mtl", kLamp}},
       "in/a.obj");
   EXPECT_TRUE(result.ok()) << TextOf(result.diagnostics);
+}
+
+TEST(ReadScene, TheFilesOfASceneAreTold) {
+  const SceneAndFiles read = ReadSceneAndFiles(DataPath("spaces.obj"));
+  ASSERT_TRUE(read.scene.ok()) << TextOf(read.scene.diagnostics);
+  EXPECT_EQ(read.scene.value->faces()[0].emission, (Rgb{4, 5, 6}));
+  EXPECT_EQ(read.files,
+            (std::vector<std::filesystem::path>{DataPath("spaces.obj"),
+                                                DataPath("two words.mtl")}));
+  // A file that cannot be read is among them.
+  const SceneAndFiles missing = ReadSceneAndFiles("no/such.obj");
+  EXPECT_FALSE(missing.scene.ok());
+  EXPECT_EQ(missing.files, (std::vector<std::filesystem::path>{"no/such.obj"}));
 }
 
 TEST(ReadScene, DefectsOfAMaterialFileNameItAsTheUserWould) {

@@ -1,0 +1,126 @@
+#include "image/extra_picture.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <fmt/format.h>
+
+#include "explain/shadow_class.h"
+#include "image/false_colour.h"
+#include "image/image_legend.h"
+#include "image/png_image.h"
+#include "image/raster.h"
+#include "image/scalar_raster.h"
+
+namespace truelux {
+namespace {
+
+std::string ErrorPicture(const RenderedPixels& pixels,
+                         std::optional<ScalarChannel> channel) {
+  const Raster<double> values =
+      Scalars(pixels.image, pixels.differences, [&](const Rgb& difference) {
+        return channel ? ScalarOf(difference, *channel)
+                       : *std::ranges::max_element(difference);
+      });
+  double least = LargestOf(values);
+  const double most = least;
+  for (const double value : values.pixels()) {
+    if (value > 0) least = std::min(least, value);
+  }
+  const Rgba8 kAgreed = {150, 150, 150, 255};
+  const ColourScale scale = most > 0 ? ColourScale::Logarithmic(least, most)
+                                     : ColourScale::Logarithmic(1, 1);
+  Raster<Rgba8> picture = Coloured(values, scale);
+  for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
+    if (values.pixels()[i] == 0) picture.pixels()[i] = kAgreed;
+  }
+  ImageLegend legend = {
+      {"|double - certified|", channel ? Name(*channel) : "largest channel",
+       "[W/m^2]", fmt::format("max {:.2g}", most)},
+      scale,
+      {{kAgreed, "no difference"}}};
+  if (most == 0) legend.scale.reset();
+  return PngImage(WithLegend(picture, legend));
+}
+
+std::string ArcsPicture(const RenderedPixels& pixels) {
+  const Raster<double> values = Scalars(pixels.image, pixels.arcs,
+                                        [](std::int32_t arcs) { return arcs; });
+  const double most = LargestOf(values);
+  const ColourScale scale = ColourScale::Linear(std::max(most, 1.0), true);
+  const ImageLegend legend = {
+      {"arcs of the", "visible contour", fmt::format("max {}", most)},
+      scale,
+      {}};
+  return PngImage(WithLegend(Coloured(values, scale), legend));
+}
+
+/// By ShadowClass.
+constexpr std::array<Rgba8, kShadowClassCount> kClassColours = {
+    {{0, 0, 0, 0},
+     {140, 140, 140, 255},
+     {30, 30, 90, 255},
+     {230, 159, 0, 255},
+     {120, 200, 240, 255},
+     {213, 0, 90, 255}}};
+
+std::string ClassPicture(const RenderedPixels& pixels) {
+  Raster<Rgba8> picture(pixels.classes.width(), pixels.classes.height());
+  std::array<std::size_t, kShadowClassCount> counts{};
+  for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
+    const auto index = static_cast<std::size_t>(pixels.classes.pixels()[i]);
+    picture.pixels()[i] = kClassColours[index];
+    ++counts[index];
+  }
+  ImageLegend legend;
+  for (std::size_t k = 1; k < kShadowClassCount; ++k) {
+    legend.swatches.push_back(
+        {kClassColours[k],
+         fmt::format("{}: {} px", Name(static_cast<ShadowClass>(k)),
+                     counts[k])});
+  }
+  return PngImage(WithLegend(picture, legend));
+}
+
+}  // namespace
+
+const char* Name(ExtraPicture extra) {
+  switch (extra) {
+    case ExtraPicture::kError:
+      break;
+    case ExtraPicture::kArcs:
+      return "arcs";
+    case ExtraPicture::kClass:
+      return "class";
+  }
+  return "error";
+}
+
+void Wish(ExtraPicture extra, PixelWishes& wishes) {
+  switch (extra) {
+    case ExtraPicture::kError:
+      wishes.differences = true;
+      break;
+    case ExtraPicture::kArcs:
+      wishes.arcs = true;
+      break;
+    case ExtraPicture::kClass:
+      wishes.classes = true;
+      break;
+  }
+}
+
+std::string ExtraPictureOf(ExtraPicture extra, const RenderedPixels& pixels,
+                           std::optional<ScalarChannel> channel) {
+  switch (extra) {
+    case ExtraPicture::kError:
+      break;
+    case ExtraPicture::kArcs:
+      return ArcsPicture(pixels);
+    case ExtraPicture::kClass:
+      return ClassPicture(pixels);
+  }
+  return ErrorPicture(pixels, channel);
+}
+
+}  // namespace truelux

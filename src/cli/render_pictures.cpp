@@ -10,7 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "cli/version.h"
+#include "truelux/version.h"
+
 #include "explain/shadow_class.h"
 #include "image/exr_image.h"
 #include "image/false_colour.h"
@@ -34,7 +35,7 @@ std::string Exr(const RenderRequest& request, const IrradianceImage& image) {
       {"comments",
        fmt::format("irradiance [W/m^2] by truelux {}: the binary64 value "
                    "({}) rounded once more to binary32",
-                   kVersion, Name(options.method))},
+                   VersionText(), Name(options.method))},
       {"scene", scene},
       {"method", std::string(Name(options.method))},
       {"emission", std::string(Name(options.emission))},

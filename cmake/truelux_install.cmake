@@ -1,15 +1,49 @@
-# The library, its headers, and what find_package(truelux) needs.
+# The library, its headers, and what find_package(truelux) and pkg-config need.
+# Components: `library` (the kind that was asked for), `development` (headers
+# and what does not depend on the kind), `program`, `man`.
 include(CMakePackageConfigHelpers)
 
 set(_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/truelux)
-install(TARGETS truelux_library EXPORT truelux-targets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+set(_pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+# truelux_install_library(TARGET COMPONENT [options of install]): one kind of
+# the library with the files that describe it.
+function(truelux_install_library target component)
+  install(TARGETS ${target} EXPORT ${target}-targets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+      COMPONENT ${component} ${ARGN}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+      COMPONENT ${component} NAMELINK_COMPONENT ${component} ${ARGN}
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT ${target}-targets NAMESPACE truelux::
+    FILE truelux-targets.cmake
+    DESTINATION ${_package_dir} COMPONENT ${component} ${ARGN})
+
+  # A static library does not know what it needs: whoever links it links that.
+  get_target_property(type ${target} TYPE)
+  set(PC_LIBS "")
+  set(PC_PRIVATE_LIBS "-lmpfr -lgmp")
+  if(type STREQUAL STATIC_LIBRARY)
+    set(PC_LIBS " ${PC_PRIVATE_LIBS}")
+    set(PC_PRIVATE_LIBS "")
+  endif()
+  # The prefix as seen from the file, so that the folder may be moved.
+  file(RELATIVE_PATH PC_PREFIX /prefix/${_pkgconfig_dir} /prefix)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/truelux.pc.in
+    ${PROJECT_BINARY_DIR}/cmake/${target}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/cmake/${target}.pc
+    DESTINATION ${_pkgconfig_dir} RENAME truelux.pc
+    COMPONENT ${component} ${ARGN})
+endfunction()
+
+truelux_install_library(truelux_library library)
+if(TARGET truelux_other_library)
+  truelux_install_library(truelux_other_library other_kind EXCLUDE_FROM_ALL)
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/truelux
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(TARGETS truelux RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(EXPORT truelux-targets NAMESPACE truelux::
-  DESTINATION ${_package_dir})
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+install(TARGETS truelux
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 
 configure_package_config_file(
   ${PROJECT_SOURCE_DIR}/cmake/truelux-config.cmake.in
@@ -22,4 +56,4 @@ install(FILES
   ${PROJECT_BINARY_DIR}/cmake/truelux-config.cmake
   ${PROJECT_BINARY_DIR}/cmake/truelux-config-version.cmake
   ${PROJECT_SOURCE_DIR}/cmake/truelux_libraries.cmake
-  DESTINATION ${_package_dir})
+  DESTINATION ${_package_dir} COMPONENT development)

@@ -3,24 +3,9 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <string>
 
 #include "truelux/truelux.h"
-
-namespace {
-
-const char* Name(truelux::VertexKind kind) {
-  switch (kind) {
-    case truelux::VertexKind::kIntrinsic:
-      return "intrinsic";
-    case truelux::VertexKind::kApparent:
-      return "apparent";
-    case truelux::VertexKind::kHorizon:
-      return "horizon";
-  }
-  return "";
-}
-
-}  // namespace
 
 int main() {
   truelux::SceneBuilder builder;
@@ -37,7 +22,8 @@ int main() {
       oracle.Contour({{0, 0, 0}, {0, 0, 1}});
   for (std::size_t i = 0; i < contour.vertices.size(); ++i) {
     const truelux::ContourVertex& v = contour.vertices[i];
-    std::printf("vertex %zu: %s%s, direction (%g, %g, %g)\n", i, Name(v.kind),
+    const std::string kind(Name(v.kind));
+    std::printf("vertex %zu: %s%s, direction (%g, %g, %g)\n", i, kind.c_str(),
                 v.conjunctive ? ", conjunctive" : "", v.direction.x,
                 v.direction.y, v.direction.z);
   }

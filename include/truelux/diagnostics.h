@@ -5,31 +5,44 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "truelux/export.h"
+
 namespace truelux {
 
-/// An error makes the input unusable; a note tells what was ignored.
-enum class Severity { kError, kNote };
+/// How bad a defect is.
+enum class Severity {
+  kError,  ///< "error": the input cannot be used
+  kNote,   ///< "note": the input can be used; the message says how it was read
+};
+
+/// The word in quotes above.
+[[nodiscard]] TRUELUX_EXPORT std::string_view Name(Severity severity);
 
 /// One defect or remark about an input.
-struct Diagnostic {
+struct TRUELUX_EXPORT Diagnostic {
   Severity severity = Severity::kError;
-  std::string file;     ///< as the user named it; empty: no file
-  int line = 0;         ///< 1-based; 0: the file as a whole
-  std::string message;  ///< what, and what was expected
+  std::string file;     ///< as the user named it; empty: the input is no file
+  int line = 0;         ///< counted from 1; 0: the file as a whole
+  std::string message;  ///< what is wrong, and what was expected instead
 
   /// "file:line: error: message", without the parts that are missing.
   [[nodiscard]] std::string Text() const;
 };
 
-/// A value, or the reasons why there is none. Notes may stand beside a value.
+/// A value, or the reasons why there is no value. Notes may stand beside a
+/// value; errors never do.
 template <class T>
-struct Result {
-  std::optional<T> value;
+struct [[nodiscard]] Result {
+  std::optional<T> value;  ///< nothing if the diagnostics hold an error
+  /// All defects that were found, in the order of the input, not only the
+  /// first one.
   std::vector<Diagnostic> diagnostics;
 
+  /// Whether there is a value.
   [[nodiscard]] bool ok() const { return value.has_value(); }
 };
 

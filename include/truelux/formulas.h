@@ -7,20 +7,25 @@
 #include <span>
 #include <string_view>
 
+#include "truelux/export.h"
+
 namespace truelux {
 
-/// What is summed over the visible contour. S: Stark, Vertex-Based Formulations
-/// of Irradiance from Polygonal Sources (2000), with the corrections listed in
-/// docs/method.md section 8; u = 2^-53. Names on the command line are those in
-/// quotes.
+/// Which closed form is summed over the visible contour. All give the same E
+/// in exact arithmetic; they differ in the digits that rounding costs
+/// (docs/stability.md). S: Stark, Vertex-Based Formulations of Irradiance from
+/// Polygonal Sources (2000), with the corrections listed in docs/method.md
+/// section 8. v, v': the ends of an arc as directions from the receiver; N:
+/// the normal of the arc's plane. The words in quotes are the names.
 enum class Formula {
-  /// "auto": lambert-edge with arcs of one plane taken together; per source,
-  /// where that leaves a bound that is large beside the value, whichever of
-  /// difference, series and cubature has a smaller one.
+  /// "auto": lambert-edge with arcs of one plane taken together. Where that
+  /// leaves a bound that is large beside the value, each source is summed by
+  /// whichever of lambert-edge, difference, series and cubature has the
+  /// smallest bound.
   kAuto,
   kLambertAcos,    ///< "lambert-acos": S (3), angles by acos, N = v x v'
   kLambertAtan2,   ///< "lambert-atan2": S (3), angles by atan2, N = v x v'
-  kLambertEdge,    ///< "lambert-edge": the same with N = v x (v' - v)
+  kLambertEdge,    ///< "lambert-edge": as before, with N = v x (v' - v)
   kVertexLambert,  ///< "vertex-lambert": S (12), (13), angles with the edges
   kImagePlane,     ///< "image-plane": S (8) to (10), slopes of edges
   kDirections,     ///< "directions": S (44), (45), directions of edges
@@ -29,18 +34,21 @@ enum class Formula {
   kHomogeneous,    ///< "homogeneous": S Figure 11
   kUnified,        ///< "unified": H(v, N), docs/method.md (11) and (12)
   kDifference,     ///< "difference": docs/method.md section 9
-  kSeries,         ///< "series": for sources of small angular size, the same
-  kCubature,       ///< "cubature": positive Gauss cubature, the same
+  kSeries,         ///< "series": docs/method.md section 9; applies to sources
+                   ///< of small angular size only
+  kCubature,       ///< "cubature": positive Gauss cubature, docs/method.md
+                   ///< section 9
 };
 
-/// All of them, in the order above.
-[[nodiscard]] std::span<const Formula> AllFormulas();
+/// All formulas, in the order above, kAuto included.
+[[nodiscard]] TRUELUX_EXPORT std::span<const Formula> AllFormulas();
 
-/// The name on the command line.
-[[nodiscard]] std::string_view Name(Formula formula);
+/// The word in quotes above, as --formula takes it.
+[[nodiscard]] TRUELUX_EXPORT std::string_view Name(Formula formula);
 
-/// Nothing if there is no formula of this name.
-[[nodiscard]] std::optional<Formula> FormulaByName(std::string_view name);
+/// The formula of this name; nothing if no formula has it.
+[[nodiscard]] TRUELUX_EXPORT std::optional<Formula> FormulaByName(
+    std::string_view name);
 
 /// The number types in which formulas can be compared.
 enum class Arithmetic {
@@ -50,8 +58,8 @@ enum class Arithmetic {
   kMultiprecision,  ///< "MPFR": any precision
 };
 
-/// The name in reports.
-[[nodiscard]] std::string_view Name(Arithmetic arithmetic);
+/// The word in quotes above.
+[[nodiscard]] TRUELUX_EXPORT std::string_view Name(Arithmetic arithmetic);
 
 }  // namespace truelux
 

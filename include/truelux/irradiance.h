@@ -5,13 +5,16 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include "truelux/export.h"
+#include "truelux/form_factors.h"
 #include "truelux/formulas.h"
 #include "truelux/geometry.h"
+#include "truelux/prepared_scene.h"
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 #include "truelux/statistics.h"
@@ -19,97 +22,146 @@
 
 namespace truelux {
 
-/// kContour walks the edges; kArrangement builds the whole view as an exact
-/// planar map and is slow. They share no line of visibility and agree.
-/// kAngularSpans sums over the vertices of the same map by what is seen around
-/// each of them, as vertex tracing does, without a contour; it agrees, too.
-enum class Engine { kContour, kArrangement, kAngularSpans };
+/// How it is decided what a receiver sees. Every engine decides exactly, and
+/// all give the same irradiance, bit for bit (docs/method.md).
+enum class Engine {
+  /// "contour": walks along edges. The one to use.
+  kContour,
+  /// "arrangement": builds the whole view as an exact planar map. Slow; it
+  /// shares no line of visibility with kContour and serves to check it.
+  kArrangement,
+  /// "angular-spans": sums over the vertices of the same map by what is seen
+  /// around each of them, as vertex tracing does (Stark and Riesenfeld, Exact
+  /// Illumination in Polygonal Environments using Vertex Tracing, 2000,
+  /// equation (9)), without a contour. Slow.
+  kAngularSpans,
+};
 
-/// kCertified: the binary64 nearest to the true value.
-/// kDouble: the same exact visibility, summed in double, with a proven bound
-/// (with kAngularSpans the certified value and its bound).
-enum class Method { kCertified, kDouble };
+/// The word in quotes above, as --engine takes it.
+[[nodiscard]] TRUELUX_EXPORT std::string_view Name(Engine engine);
 
-/// How a scene's emission (Ke) is read: as radiant exitance M [W/m^2], or as
-/// radiance L [W/m^2/sr], M = pi L.
-enum class Emission { kExitance, kRadiance };
+/// How what is visible is summed.
+enum class Method {
+  /// "certified": the binary64 nearest to the true value, ties to even.
+  kCertified,
+  /// "double": the same exact visibility, summed in double, with a proven
+  /// bound on the error. With kAngularSpans the certified value and its bound.
+  kDouble,
+};
 
+/// The word in quotes above, as --method takes it.
+[[nodiscard]] TRUELUX_EXPORT std::string_view Name(Method method);
+
+/// How a scene's emission (Ke) is read.
+enum class Emission {
+  kExitance,  ///< "exitance": as radiant exitance M [W/m^2]
+  kRadiance,  ///< "radiance": as radiance L [W/m^2/sr]; M = pi L
+};
+
+/// The word in quotes above, as --emission takes it.
+[[nodiscard]] TRUELUX_EXPORT std::string_view Name(Emission emission);
+
+/// How an oracle answers.
 struct OracleOptions {
   Engine engine = Engine::kContour;
   Method method = Method::kCertified;
   Emission emission = Emission::kExitance;
-  /// kCertified does not depend on it: kHomogeneous and kUnified sum over
-  /// vertices there, all others over arcs, and both give the same bits.
-  /// kAngularSpans always sums over vertices.
+  /// What kDouble sums. The values of kCertified do not depend on it:
+  /// kHomogeneous and kUnified sum over vertices there, all others over arcs,
+  /// and both give the same bits. kAngularSpans always sums over vertices.
   Formula formula = Formula::kAuto;
   /// kImagePlane and kDirections cut what is visible to the square of this
-  /// half-side on the image plane (at unit distance), > 0; the bound holds
-  /// what is cut off, at most M / (1 + half_side^2) (S, Lemma 1).
+  /// half-side on the image plane (at distance 1 from the receiver), > 0. The
+  /// bound holds what is cut off, at most M / (1 + half_side^2) (Stark 2000,
+  /// Lemma 1).
   double half_side = 0x1p20;
 };
 
 /// Irradiance at a receiver, with how it was found.
 struct Irradiance {
-  Rgb value{};  ///< E [W/m^2]; +inf if too large for binary64
+  /// E [W/m^2], >= 0; +inf if too large for binary64. NaN, with an infinite
+  /// bound, where a formula by name does not apply (kDouble only).
+  Rgb value{};
   /// Bound on |value - E|, per channel [W/m^2]. kCertified: half the distance
-  /// of value to its farther neighbour; kDouble: a proven bound, rounded up.
+  /// of value to its farther neighbour. kDouble: a proven bound, rounded up.
   Rgb bound{};
-  Statistics statistics;
+  Statistics statistics;  ///< what it cost
 };
 
 /// Answers for one scene. Const methods may be called from several threads;
 /// copies share what was prepared.
-class Oracle {
+///
+/// Face numbers count from 1, as f lines do; indices count from 0. Every method
+/// that takes receivers throws ReceiverError for one that cannot be used; it
+/// checks all receivers before it finds anything.
+class TRUELUX_EXPORT Oracle {
  public:
+  /// Prepares the scene, and answers as `options` say. Throws
+  /// std::invalid_argument if half_side is not positive.
   explicit Oracle(Scene scene, const OracleOptions& options = {});
 
-  [[nodiscard]] const Scene& scene() const { return scene_; }
+  /// The same over a scene that is prepared already; costs nothing.
+  explicit Oracle(PreparedScene prepared, const OracleOptions& options = {});
 
+  /// The scene that was given.
+  [[nodiscard]] const Scene& scene() const { return prepared_.scene(); }
+
+  /// The scene as it was prepared, for another oracle over it.
+  [[nodiscard]] const PreparedScene& prepared() const { return prepared_; }
+
+  /// The options that were given.
   [[nodiscard]] const OracleOptions& options() const { return options_; }
 
-  /// E(r) = (1/pi) * integral over d with n.d > 0 of M(first face hit along
-  /// d) cos(n, d). Requires a finite receiver with a normal that is not zero
-  /// and 0 <= on_face <= number of faces (std::invalid_argument otherwise).
-  /// The result does not depend on the engine or on the thread.
+  /// E = (1/pi) * integral over the directions d with n.d > 0 of
+  /// M(first face hit along d) cos(n, d), with n the receiver's normal. The
+  /// result does not depend on the engine or on the thread.
   [[nodiscard]] Irradiance Evaluate(const Receiver& receiver) const;
 
   /// The same for many receivers, in their order: entry i has the value and
   /// bound of Evaluate(receivers[i]). Cheaper where consecutive receivers are
   /// near each other, as in grids and images, since they share where their
-  /// blockers can be; the statistics may then count fewer predicates.
+  /// blockers can be; the statistics may then count fewer predicates. If a
+  /// receiver cannot be used, what() of the ReceiverError begins with
+  /// "receiver i: ", i = index(), counted from 0.
   [[nodiscard]] std::vector<Irradiance> Evaluate(
       std::span<const Receiver> receivers) const;
 
-  /// The same, one result after the other: take(i, result of receivers[i]).
-  /// What take throws ends it.
+  /// The same, one result after the other: take(i, result of receivers[i]),
+  /// i = 0, 1, 2, ... in the calling thread. An exception that take throws ends
+  /// the call and reaches the caller. take is not called if any receiver cannot
+  /// be used.
   void Evaluate(
       std::span<const Receiver> receivers,
       const std::function<void(std::size_t, const Irradiance&)>& take) const;
 
   /// E [W/m^2] by one formula in one arithmetic on the exact visible contour,
   /// to see what they lose: without a bound, rounded to binary64 at the end.
-  /// What kImagePlane and kDirections cut off is missing. precision [bits]: of
-  /// kMultiprecision. Nothing where the formula does not apply (kSeries,
-  /// kCubature). Requires a receiver as Evaluate does, a formula that is not
-  /// kAuto and a precision of at least 53 (std::invalid_argument otherwise).
+  /// What kImagePlane and kDirections cut off is missing. precision [bit]: of
+  /// kMultiprecision. Returns nothing where the formula does not apply (kSeries
+  /// and kCubature, on wide sources). Throws std::invalid_argument if the
+  /// formula is kAuto or the precision is below 53.
   [[nodiscard]] std::optional<Rgb> EvaluateFormula(const Receiver& receiver,
                                                    Formula formula,
                                                    Arithmetic arithmetic,
                                                    int precision = 128) const;
 
-  /// The form factor of one face [1]: E with that face's M = 1 and the
-  /// others' 0, all faces blocking as ever. face: its number, from 1.
+  /// The form factor [1] of one face, the same in every channel: E with that
+  /// face's M = 1 and the others' 0, while all faces block. face: its number,
+  /// from 1; the face need not emit. Throws std::invalid_argument if the scene
+  /// has no such face.
   [[nodiscard]] Irradiance FormFactor(const Receiver& receiver, int face) const;
 
+  /// The form factors of all emitting faces, with the visibility of all of them
+  /// decided together. Each has the value and the bound of FormFactor.
+  [[nodiscard]] FormFactorTable FormFactors(const Receiver& receiver) const;
+
   /// The visible contour of every source that is visible from the receiver.
-  /// kAngularSpans has none: it is that of kArrangement then.
+  /// kAngularSpans has no contour of its own and gives that of kArrangement.
   [[nodiscard]] VisibleContour Contour(const Receiver& receiver) const;
 
  private:
-  Scene scene_;
+  PreparedScene prepared_;
   OracleOptions options_;
-  struct Prepared;
-  std::shared_ptr<Prepared> prepared_;
 };
 
 }  // namespace truelux

@@ -11,19 +11,28 @@
 #include <vector>
 
 #include "truelux/diagnostics.h"
+#include "truelux/export.h"
 #include "truelux/geometry.h"
 
 namespace truelux {
 
-/// A face of the input, in input order. Its `number` is its index + 1; a face
-/// without area keeps its number but has no facets.
+/// A polygon of the input, in input order. It emits from its front, the side
+/// from which its corners run counter-clockwise, and blocks from both sides.
+///
+/// Its *number* is its index in Scene::faces() plus 1, as f lines are counted:
+/// numbers are what receivers, contours and form factors name a face by, 0 is
+/// no face. Everything in this header that is called an index counts from 0. A
+/// face without area keeps its number but has no facets.
 struct Face {
-  Rgb emission{};        ///< Ke of its material; (0, 0, 0): a pure blocker
-  int line = 0;          ///< line of its f statement; 0: made in code
-  int first_facet = 0;   ///< its facets are first_facet ..
+  Rgb emission{};        ///< M [W/m^2] or L [W/m^2/sr], as the oracle's
+                         ///< Emission says; (0, 0, 0): the face only blocks
+  int line = 0;          ///< line of its f statement, from 1; 0: made in code
+  int first_facet = 0;   ///< index into Scene::facets(); its facets are
+                         ///< first_facet ..
   int facet_count = 0;   ///< .. first_facet + facet_count - 1
   int group = 0;         ///< index into Scene::group_names()
-  int first_corner = 0;  ///< its corners are first_corner ..
+  int first_corner = 0;  ///< index into Scene::corners(); its corners are
+                         ///< first_corner ..
   int corner_count = 0;  ///< .. first_corner + corner_count - 1
 };
 
@@ -31,7 +40,8 @@ struct Face {
 /// face that is not planar. A facet is one source and one blocker.
 struct Facet {
   int face = 0;            ///< index into Scene::faces()
-  int first_triangle = 0;  ///< its triangles are first_triangle ..
+  int first_triangle = 0;  ///< index into Scene::triangles(); its triangles
+                           ///< are first_triangle ..
   int triangle_count = 0;  ///< .. first_triangle + triangle_count - 1
 };
 
@@ -44,13 +54,18 @@ struct Triangle {
 
 /// Immutable; copies share the data. Equal points are one vertex, so that two
 /// triangles share an edge exactly if they share its two vertex indices.
-class Scene {
+class TRUELUX_EXPORT Scene {
  public:
-  Scene();  ///< no faces: every irradiance is 0
+  /// A scene without faces: every irradiance is 0.
+  Scene();
 
+  /// The corners of all faces, each point once, in the scene's frame.
   [[nodiscard]] std::span<const Point3> vertices() const;
+  /// The triangles of all facets, facet by facet.
   [[nodiscard]] std::span<const Triangle> triangles() const;
+  /// The facets of all faces, face by face.
   [[nodiscard]] std::span<const Facet> facets() const;
+  /// The faces, in input order; face number k is faces()[k - 1].
   [[nodiscard]] std::span<const Face> faces() const;
   /// The rings of all faces, one after the other, as indices into vertices():
   /// each from the first corner of the input, without equal neighbours.
@@ -65,13 +80,14 @@ class Scene {
   std::shared_ptr<const Data> data_;
 };
 
-/// Builds a scene in code, face by face, and validates it as a whole.
+/// Builds a scene in code, face by face, and validates it as a whole. For one
+/// thread.
 ///
 /// Example
 ///   SceneBuilder builder;
 ///   builder.AddFace({{0, 0, 1}, {0, 1, 1}, {1, 0, 1}}, {1, 1, 1});
 ///   Result<Scene> scene = builder.Build();
-class SceneBuilder {
+class TRUELUX_EXPORT SceneBuilder {
  public:
   /// `file_name` prefixes the diagnostics.
   explicit SceneBuilder(std::string file_name = "");
@@ -79,10 +95,12 @@ class SceneBuilder {
   SceneBuilder(SceneBuilder&&) noexcept;
   SceneBuilder& operator=(SceneBuilder&&) noexcept;
 
-  /// Adds a polygon. ring: n x 3, counter-clockwise seen from the side that
-  /// emits, not closed. emission: Ke [W/m^2, or W/m^2/sr if the oracle reads
-  /// radiance], all >= 0. line: for diagnostics. Returns the face's number,
-  /// counted from 1. Defects are reported by Build().
+  /// Adds a polygon. ring: its n >= 3 corners in the scene's frame,
+  /// counter-clockwise seen from the side that emits; the first corner is not
+  /// repeated at the end. emission: M [W/m^2], or L [W/m^2/sr] if the oracle
+  /// reads radiance; finite and >= 0. line: for diagnostics, from 1; 0: none.
+  /// Returns the face's number, counted from 1. Defects are reported by
+  /// Build(), not here.
   int AddFace(std::vector<Point3> ring, const Rgb& emission = {}, int line = 0);
 
   /// Names the object or group of the faces that follow.
@@ -93,7 +111,7 @@ class SceneBuilder {
   /// polygon that is not simple seen along its Newell normal. Notes: faces
   /// without area (ignored), faces that are not planar (split in triangles).
   /// The builder is empty afterwards.
-  Result<Scene> Build();
+  [[nodiscard]] Result<Scene> Build();
 
  private:
   struct Impl;

@@ -13,14 +13,17 @@
 #define TRUELUX_TRUELUX_H_
 
 #include "truelux/diagnostics.h"
+#include "truelux/form_factors.h"
 #include "truelux/formulas.h"
 #include "truelux/geometry.h"
 #include "truelux/io.h"
 #include "truelux/irradiance.h"
+#include "truelux/prepared_scene.h"
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 #include "truelux/sphere.h"
 #include "truelux/statistics.h"
+#include "truelux/version.h"
 #include "truelux/visibility.h"
 
 #endif  // TRUELUX_TRUELUX_H_

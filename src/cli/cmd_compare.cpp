@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "truelux/irradiance.h"
+#include "truelux/version.h"
 
 #include "cli/loading.h"
 #include "cli/option_values.h"
 #include "cli/oracle_arguments.h"
 #include "cli/output_paths.h"
-#include "cli/version.h"
 #include "compare/candidate_report.h"
 #include "compare/candidates.h"
 #include "run/input_file.h"
@@ -222,7 +222,7 @@ ExitStatus RunCompare(const CompareArguments& arguments) {
 
   const CandidateReport report = Compare(request, outputs);
   text.Write(CandidateText(report));
-  if (json) json->Write(CandidateJson(report, kVersion));
+  if (json) json->Write(CandidateJson(report, VersionText()));
   // Names are given at the very end, when nothing can fail but the naming.
   text.Finish();
   if (json) json->Finish();

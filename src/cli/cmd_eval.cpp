@@ -10,10 +10,10 @@
 
 #include "truelux/formulas.h"
 #include "truelux/irradiance.h"
+#include "truelux/version.h"
 
 #include "cli/loading.h"
 #include "cli/output_paths.h"
-#include "cli/version.h"
 #include "run/evaluation.h"
 #include "run/interrupt.h"
 #include "run/messages.h"
@@ -98,7 +98,7 @@ ExitStatus RunEval(const EvalArguments& arguments) {
   if (!request.stats.empty()) stats.emplace(request.stats);
 
   RunReport report;
-  report.version = kVersion;
+  report.version = VersionText();
   report.options = request.options;
   report.threads = request.threads;
   const Stopwatch loading;

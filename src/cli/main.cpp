@@ -8,6 +8,8 @@
 #include <string>
 #include <unistd.h>
 
+#include "truelux/version.h"
+
 #include "cli/cmd_bench.h"
 #include "cli/cmd_compare.h"
 #include "cli/cmd_eval.h"
@@ -15,7 +17,6 @@
 #include "cli/cmd_render.h"
 #include "cli/cmd_stability.h"
 #include "cli/help_format.h"
-#include "cli/version.h"
 #include "run/exit_status.h"
 #include "run/interrupt.h"
 #include "run/messages.h"
@@ -65,7 +66,7 @@ ExitStatus Run(int argc, char** argv) {
   CLI::App app("Exact irradiance from polygons that others partly hide.",
                "truelux");
   app.formatter(MakeHelpFormatter());
-  app.set_version_flag("--version", std::string("truelux ") + kVersion);
+  app.set_version_flag("--version", std::string("truelux ") + VersionText());
   app.require_subcommand(1);
   app.footer(std::string("Run 'truelux COMMAND --help' for a command.\n\n") +
              kExitStatusHelp);

@@ -35,7 +35,7 @@ struct CandidateData {
 
 /// One receiver of a candidate.
 struct CandidateError {
-  ReceiverError error;
+  ValueError error;
   bool is_dark = false;    ///< E = 0 in all compared channels
   bool no_number = false;  ///< some value is nan
   bool passes = false;

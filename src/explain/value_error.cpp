@@ -24,8 +24,8 @@ double RelativeTo(double truth, double distance) {
 
 }  // namespace
 
-ReceiverError ErrorOf(const Rgb& value, const Rgb& truth) {
-  ReceiverError error;
+ValueError ErrorOf(const Rgb& value, const Rgb& truth) {
+  ValueError error;
   error.exact = true;
   std::size_t farthest = 0;
   for (std::size_t c = 0; c < truth.size(); ++c) {

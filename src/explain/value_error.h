@@ -13,7 +13,7 @@ namespace truelux {
 /// How far a value is from the truth at one receiver, over its three channels.
 /// A value that is no number, or infinite where the truth is not, is
 /// infinitely far.
-struct ReceiverError {
+struct ValueError {
   bool exact = false;  ///< all three channels are the certified numbers
   /// The largest |value - truth| / truth over the channels with truth > 0;
   /// nothing if there are none.
@@ -24,7 +24,7 @@ struct ReceiverError {
   std::size_t channel = 0;  ///< that `relative`, or else `absolute`, is of
 };
 
-[[nodiscard]] ReceiverError ErrorOf(const Rgb& value, const Rgb& truth);
+[[nodiscard]] ValueError ErrorOf(const Rgb& value, const Rgb& truth);
 
 }  // namespace truelux
 

@@ -141,18 +141,6 @@ const char* Name(ViewArcKind kind) {
   return "meeting";
 }
 
-const char* Name(VertexKind kind) {
-  switch (kind) {
-    case VertexKind::kIntrinsic:
-      return "intrinsic";
-    case VertexKind::kHorizon:
-      return "horizon";
-    case VertexKind::kApparent:
-      break;
-  }
-  return "apparent";
-}
-
 std::string ColourOf(const InspectedView& inspected, int region) {
   const ViewRegion& r =
       inspected.view.regions[static_cast<std::size_t>(region)];

@@ -58,9 +58,6 @@ enum class RegionKind {
 /// "horizon", "silhouette", "inner", "contact", "meeting".
 [[nodiscard]] const char* Name(ViewArcKind kind);
 
-/// "intrinsic", "horizon", "apparent".
-[[nodiscard]] const char* Name(VertexKind kind);
-
 /// The colour in which a region is filled, "#rrggbb": a source's own, blockers
 /// and backs in greys, the lighter the more they face the receiver.
 [[nodiscard]] std::string ColourOf(const InspectedView& inspected, int region);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -12,14 +11,13 @@
 
 #include "truelux/irradiance.h"
 
-#include "base/pool.h"
 #include "radiometry/evaluate.h"
-#include "radiometry/evaluation_workspace.h"
+#include "radiometry/form_factors.h"
 #include "radiometry/formula_sum.h"
+#include "radiometry/prepared_scene.h"
 #include "radiometry/stages/span_sum.h"
 #include "visibility/arrangement/angular_spans.h"
 #include "visibility/arrangement/arrangement_engine.h"
-#include "visibility/edges/contour_engine.h"
 #include "visibility/visible_contour.h"
 
 namespace truelux {
@@ -29,58 +27,45 @@ bool Finite(double x, double y, double z) {
   return std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
 }
 
-void RequireFace(int face, int least, const Scene& scene, const char* what) {
+/// Why a number does not name a face; empty if it does. 0 is right if `least`
+/// is 0.
+std::string FaceDefect(int face, int least, const Scene& scene,
+                       const char* what) {
   const auto count = static_cast<int>(scene.faces().size());
-  if (face < least || face > count) {
-    throw std::invalid_argument(std::string(what) + " is " +
-                                std::to_string(face) + ", the scene has " +
-                                std::to_string(count) + " faces");
+  if (face >= least && face <= count) return {};
+  return std::string(what) + " is " + std::to_string(face) +
+         ", the scene has " + std::to_string(count) + " faces";
+}
+
+/// Why a receiver cannot be used; empty if it can.
+std::string ReceiverDefect(const Receiver& receiver, const Scene& scene) {
+  const Point3& p = receiver.position;
+  const Vector3& n = receiver.normal;
+  if (!Finite(p.x, p.y, p.z)) return "the receiver's position is not finite";
+  if (!Finite(n.x, n.y, n.z) || (n.x == 0 && n.y == 0 && n.z == 0)) {
+    return "the receiver's normal is zero or not finite";
   }
+  return FaceDefect(receiver.on_face, 0, scene, "on_face");
 }
 
 void RequireReceiver(const Receiver& receiver, const Scene& scene) {
-  const Point3& p = receiver.position;
-  const Vector3& n = receiver.normal;
-  if (!Finite(p.x, p.y, p.z)) {
-    throw std::invalid_argument("the receiver's position is not finite");
+  const std::string defect = ReceiverDefect(receiver, scene);
+  if (!defect.empty()) throw ReceiverError(0, defect);
+}
+
+void RequireReceivers(std::span<const Receiver> receivers, const Scene& scene) {
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    const std::string defect = ReceiverDefect(receivers[i], scene);
+    if (defect.empty()) continue;
+    throw ReceiverError(i, "receiver " + std::to_string(i) + ": " + defect);
   }
-  if (!Finite(n.x, n.y, n.z) || (n.x == 0 && n.y == 0 && n.z == 0)) {
-    throw std::invalid_argument("the receiver's normal is zero or not finite");
-  }
-  RequireFace(receiver.on_face, 0, scene, "on_face");
 }
 
 /// Consecutive receivers that share where their blockers are.
 constexpr std::size_t kBlockSize = 16;
 
-/// What one thread needs for one receiver after the other.
-struct Workspace {
-  explicit Workspace(const ContourEngine& engine) : builder(engine) {}
-
-  ContourBuilder builder;
-  truelux::Contour contour;
-  EvaluationWorkspace evaluation;
-};
-
-}  // namespace
-
-/// What an oracle prepares once; shared by its copies.
-struct Oracle::Prepared {
-  explicit Prepared(const Scene& scene) : engine(scene) {}
-
-  Pool<Workspace>::Loan Borrow() {
-    return workspaces.Borrow(
-        [this] { return std::make_unique<Workspace>(engine); });
-  }
-
-  ContourEngine engine;
-  Pool<Workspace> workspaces;
-};
-
-namespace {
-
 void BuildContour(const ContourQuery& query, Engine engine,
-                  Workspace& workspace) {
+                  OracleWorkspace& workspace) {
   if (engine == Engine::kContour) {
     workspace.builder.Build(query, workspace.contour);
   } else {
@@ -89,7 +74,8 @@ void BuildContour(const ContourQuery& query, Engine engine,
 }
 
 Irradiance Answer(const ContourQuery& query, Engine engine,
-                  const EvaluationQuery& evaluation, Workspace& workspace) {
+                  const EvaluationQuery& evaluation,
+                  OracleWorkspace& workspace) {
   if (engine == Engine::kAngularSpans) {
     return EvaluateSpans(query, AngularSpansOf(query), evaluation);
   }
@@ -118,22 +104,26 @@ Irradiance Answer(const ContourQuery& query, Engine engine,
 }  // namespace
 
 Oracle::Oracle(Scene scene, const OracleOptions& options)
-    : scene_(std::move(scene)),
-      options_(options),
-      prepared_(std::make_shared<Prepared>(scene_)) {}
+    : Oracle(PreparedScene(std::move(scene)), options) {}
+
+Oracle::Oracle(PreparedScene prepared, const OracleOptions& options)
+    : prepared_(std::move(prepared)), options_(options) {
+  if (!(options.half_side > 0)) {
+    throw std::invalid_argument("the half-side is not positive");
+  }
+}
 
 void Oracle::Evaluate(
     std::span<const Receiver> receivers,
     const std::function<void(std::size_t, const Irradiance&)>& take) const {
-  for (const Receiver& receiver : receivers)
-    RequireReceiver(receiver, scene_);
+  RequireReceivers(receivers, scene());
   const EvaluationQuery evaluation{options_.method, options_.emission,
                                    options_.formula, options_.half_side};
-  const auto workspace = prepared_->Borrow();
+  const auto workspace = prepared_.data_->Borrow();
   // A formula by name needs the whole contour of every source.
   const bool join = options_.method == Method::kCertified ||
                     options_.formula == Formula::kAuto;
-  ContourQuery query{scene_, {}, 0, join};
+  ContourQuery query{scene(), {}, 0, join};
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     if (i % kBlockSize == 0) {
       workspace->builder.StartBlock(
@@ -155,6 +145,7 @@ std::vector<Irradiance> Oracle::Evaluate(
 }
 
 Irradiance Oracle::Evaluate(const Receiver& receiver) const {
+  RequireReceiver(receiver, scene());
   Irradiance irradiance;
   Evaluate(std::span(&receiver, 1),
            [&irradiance](std::size_t, const Irradiance& result) {
@@ -167,15 +158,15 @@ std::optional<Rgb> Oracle::EvaluateFormula(const Receiver& receiver,
                                            Formula formula,
                                            Arithmetic arithmetic,
                                            int precision) const {
-  RequireReceiver(receiver, scene_);
+  RequireReceiver(receiver, scene());
   if (formula == Formula::kAuto) {
     throw std::invalid_argument("auto is no formula of its own");
   }
   if (precision < 53) {
     throw std::invalid_argument("the precision is less than 53 bits");
   }
-  const ContourQuery query{scene_, receiver, 0};
-  const auto workspace = prepared_->Borrow();
+  const ContourQuery query{scene(), receiver, 0};
+  const auto workspace = prepared_.data_->Borrow();
   workspace->builder.StartBlock({});  // whatever it was used for before
   BuildContour(query, options_.engine, *workspace);
   const truelux::Contour& contour = workspace->contour;
@@ -200,20 +191,36 @@ std::optional<Rgb> Oracle::EvaluateFormula(const Receiver& receiver,
 }
 
 Irradiance Oracle::FormFactor(const Receiver& receiver, int face) const {
-  RequireReceiver(receiver, scene_);
-  RequireFace(face, 1, scene_, "the face number");
-  const ContourQuery query{scene_, receiver, face};
-  const auto workspace = prepared_->Borrow();
+  RequireReceiver(receiver, scene());
+  const std::string defect = FaceDefect(face, 1, scene(), "the face number");
+  if (!defect.empty()) throw std::invalid_argument(defect);
+  const ContourQuery query{scene(), receiver, face};
+  const auto workspace = prepared_.data_->Borrow();
   return Answer(query, options_.engine,
                 {options_.method, Emission::kExitance, options_.formula,
                  options_.half_side},
                 *workspace);
 }
 
+FormFactorTable Oracle::FormFactors(const Receiver& receiver) const {
+  RequireReceiver(receiver, scene());
+  const ContourQuery query{scene(), receiver, 0};
+  const EvaluationQuery evaluation{options_.method, Emission::kExitance,
+                                   options_.formula, options_.half_side};
+  if (options_.engine == Engine::kAngularSpans) {
+    return FormFactorsOf(query, AngularSpansOf(query), evaluation);
+  }
+  const auto workspace = prepared_.data_->Borrow();
+  workspace->builder.StartBlock({});  // whatever it was used for before
+  BuildContour(query, options_.engine, *workspace);
+  return FormFactorsOf(query, workspace->contour, evaluation,
+                       workspace->evaluation);
+}
+
 VisibleContour Oracle::Contour(const Receiver& receiver) const {
-  RequireReceiver(receiver, scene_);
-  const ContourQuery query{scene_, receiver, 0};
-  const auto workspace = prepared_->Borrow();
+  RequireReceiver(receiver, scene());
+  const ContourQuery query{scene(), receiver, 0};
+  const auto workspace = prepared_.data_->Borrow();
   workspace->builder.StartBlock({});  // whatever it was used for before
   BuildContour(query, options_.engine, *workspace);
   return DescribeContour(query, workspace->contour);

@@ -11,8 +11,8 @@ std::string Diagnostic::Text() const {
     text += std::to_string(line);
   }
   if (!text.empty()) text += ": ";
-  text += severity == Severity::kError ? "error: " : "note: ";
-  return text + message;
+  text += Name(severity);
+  return text + ": " + message;
 }
 
 }  // namespace truelux

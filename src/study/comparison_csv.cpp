@@ -109,8 +109,7 @@ std::string ReceiversCsv(const Comparison& comparison) {
         continue;
       }
       AppendField(text, Mean(*method.values[i]));
-      const ReceiverError error =
-          ErrorOf(*method.values[i], comparison.truth[i]);
+      const ValueError error = ErrorOf(*method.values[i], comparison.truth[i]);
       if (error.relative) {
         AppendField(text, *error.relative);
       } else {

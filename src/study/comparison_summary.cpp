@@ -10,7 +10,7 @@
 namespace truelux {
 namespace {
 
-void Count(const ReceiverError& error, ErrorHistogram& histogram) {
+void Count(const ValueError& error, ErrorHistogram& histogram) {
   if (error.exact) {
     ++histogram.exact;
   } else if (error.relative.value_or(0) > 0) {
@@ -46,7 +46,7 @@ MethodSummary Summarize(const Comparison& comparison,
       continue;
     }
     ++summary.answered;
-    const ReceiverError error = ErrorOf(*value, comparison.truth[i]);
+    const ValueError error = ErrorOf(*value, comparison.truth[i]);
     if (error.exact) ++summary.exact;
     if (error.false_light) ++summary.false_light;
     if (error.relative) errors.push_back(*error.relative);

@@ -125,7 +125,7 @@ std::string TripleCell(double x, double y, double z) {
       Number(x), Number(y), Number(z), x, y, z);
 }
 
-std::string WorstErrorText(const ReceiverError& error) {
+std::string WorstErrorText(const ValueError& error) {
   if (error.exact) return "exact";
   if (error.false_light) return "false light";
   return ScientificText(error.relative.value_or(0), 1);

@@ -15,7 +15,7 @@ std::optional<WorstReceiver> AtReceiver(const Comparison& comparison,
   for (const std::size_t m : methods) {
     const std::optional<Rgb>& value = comparison.methods[m].values[receiver];
     if (!value) continue;
-    const ReceiverError error = ErrorOf(*value, comparison.truth[receiver]);
+    const ValueError error = ErrorOf(*value, comparison.truth[receiver]);
     if (!found) found = WorstReceiver{receiver, m, error, m, error};
     if (RankOf(error) > RankOf(found->error)) {
       found->method = m;
@@ -52,7 +52,7 @@ WorstOfGroup WorstOf(const Comparison& comparison, const std::string& group,
 
 }  // namespace
 
-double RankOf(const ReceiverError& error) {
+double RankOf(const ValueError& error) {
   return error.false_light ? std::numeric_limits<double>::infinity()
                            : error.relative.value_or(0);
 }

@@ -17,9 +17,9 @@ namespace truelux {
 struct WorstReceiver {
   std::size_t receiver = 0;  ///< index into Comparison::receivers
   std::size_t method = 0;    ///< the worst one of the group here
-  ReceiverError error;       ///< of it
+  ValueError error;          ///< of it
   std::size_t best_method = 0;
-  ReceiverError best_error;
+  ValueError best_error;
 };
 
 struct WorstOfGroup {
@@ -30,7 +30,7 @@ struct WorstOfGroup {
 
 /// How bad an error is, to rank by: the relative one; infinite for light where
 /// there is none.
-[[nodiscard]] double RankOf(const ReceiverError& error);
+[[nodiscard]] double RankOf(const ValueError& error);
 
 /// Per group the `most` receivers at which some method of the group has the
 /// largest error, with that method and the best one; receivers at which all

@@ -114,24 +114,4 @@ std::string JsonText(const RunReport& report) {
   return text + "\n";
 }
 
-std::string_view Name(Engine engine) {
-  switch (engine) {
-    case Engine::kContour:
-      break;
-    case Engine::kArrangement:
-      return "arrangement";
-    case Engine::kAngularSpans:
-      return "angular-spans";
-  }
-  return "contour";
-}
-
-std::string_view Name(Method method) {
-  return method == Method::kDouble ? "double" : "certified";
-}
-
-std::string_view Name(Emission emission) {
-  return emission == Emission::kRadiance ? "radiance" : "exitance";
-}
-
 }  // namespace truelux

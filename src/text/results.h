@@ -39,11 +39,6 @@ struct RunReport {
 /// The report as a JSON object, ended by a line end.
 std::string JsonText(const RunReport& report);
 
-/// The words for these choices on the command line and in reports.
-std::string_view Name(Engine engine);
-std::string_view Name(Method method);
-std::string_view Name(Emission emission);
-
 }  // namespace truelux
 
 #endif  // TRUELUX_TEXT_RESULTS_H_

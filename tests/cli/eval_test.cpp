@@ -5,10 +5,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <sys/stat.h>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "truelux/irradiance.h"
 
 #include "cli/program.h"
 
@@ -60,6 +63,24 @@ TEST_F(Eval, OnFaceIsAColumnAndIgnoresTheFace) {
   EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
   EXPECT_EQ(outcome.out,
             "x,y,z,nx,ny,nz,on_face,E_r,E_g,E_b\n0,0,0.5,0,0,1,1,0,0,0\n");
+}
+
+// The library's names are the words of the command line.
+TEST_F(Eval, TakesTheNamesOfTheLibrary) {
+  const std::vector<std::string> one = {"--at", "0,0,0", "--normal", "0,0,1"};
+  const auto expect_taken = [&](const char* option, std::string_view name) {
+    std::vector<std::string> words = one;
+    words.insert(words.end(), {option, std::string(name)});
+    EXPECT_EQ(Run(words).exit_status, 0) << option << " " << name;
+  };
+  for (const Engine engine :
+       {Engine::kContour, Engine::kArrangement, Engine::kAngularSpans}) {
+    expect_taken("--engine", Name(engine));
+  }
+  for (const Method method : {Method::kCertified, Method::kDouble})
+    expect_taken("--method", Name(method));
+  for (const Emission emission : {Emission::kExitance, Emission::kRadiance})
+    expect_taken("--emission", Name(emission));
 }
 
 TEST_F(Eval, ASceneInWhichNothingEmitsIsNoted) {

@@ -57,7 +57,7 @@ TEST(Quantiles, ByHand) {
 }
 
 TEST(ReceiverErrors, AreThoseOfTheWorstLitChannel) {
-  const ReceiverError error = ErrorOf({1.5, 8, 0}, {1, 10, 0});
+  const ValueError error = ErrorOf({1.5, 8, 0}, {1, 10, 0});
   EXPECT_EQ(error.relative, 0.5);
   EXPECT_EQ(error.channel, 0U);
   EXPECT_EQ(error.absolute, 2);
@@ -67,18 +67,18 @@ TEST(ReceiverErrors, AreThoseOfTheWorstLitChannel) {
 
 TEST(ReceiverErrors, ExactMeansAllChannels) {
   EXPECT_TRUE(ErrorOf({1, 2, 0}, {1, 2, 0}).exact);
-  const ReceiverError ulp = ErrorOf({1, std::nextafter(2, 3), 0}, {1, 2, 0});
+  const ValueError ulp = ErrorOf({1, std::nextafter(2, 3), 0}, {1, 2, 0});
   EXPECT_FALSE(ulp.exact);
   EXPECT_EQ(ulp.relative, 0x1p-52);
   EXPECT_EQ(ulp.channel, 1U);
 }
 
 TEST(ReceiverErrors, LightWhereThereIsNoneIsNoRelativeError) {
-  const ReceiverError dark = ErrorOf(Grey(1e-9), Grey(0));
+  const ValueError dark = ErrorOf(Grey(1e-9), Grey(0));
   EXPECT_TRUE(dark.false_light);
   EXPECT_FALSE(dark.relative.has_value());
   EXPECT_EQ(dark.absolute, 1e-9);
-  const ReceiverError mixed = ErrorOf({1, 0, 0.25}, {1, 0, 0});
+  const ValueError mixed = ErrorOf({1, 0, 0.25}, {1, 0, 0});
   EXPECT_TRUE(mixed.false_light);
   EXPECT_EQ(mixed.relative, 0);
   EXPECT_EQ(mixed.channel, 2U);

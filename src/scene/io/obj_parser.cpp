@@ -156,7 +156,7 @@ class ObjParser {
     using Limits = std::numeric_limits<std::int64_t>;
     const bool is_huge = index == Limits::max() || index == Limits::min();
     std::string what = std::string(NameOf(kind)) + " index";
-    if (!is_huge) what += " " + std::to_string(index);
+    if (!is_huge) what.append(" ").append(std::to_string(index));
     if (index == 0) return what + ", expected 1 or more, or less than 0";
     if (index > 0) {
       return what + " is out of range, expected at most " +

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <span>
+#include <string_view>
 #include <utility>
 
 namespace truelux {
@@ -40,20 +43,6 @@ std::span<const Formula> AllFormulas() {
 
 std::string_view Name(Formula formula) {
   return std::ranges::find(kNames, formula, &NamedFormula::first)->second;
-}
-
-std::string_view Name(Arithmetic arithmetic) {
-  switch (arithmetic) {
-    case Arithmetic::kFloat:
-      return "float";
-    case Arithmetic::kDouble:
-      return "double";
-    case Arithmetic::kDoubleDouble:
-      return "double-double";
-    case Arithmetic::kMultiprecision:
-      break;
-  }
-  return "MPFR";
 }
 
 std::optional<Formula> FormulaByName(std::string_view name) {

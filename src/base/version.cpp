@@ -1,0 +1,13 @@
+#include "truelux/version.h"
+
+namespace truelux {
+
+int VersionNumber() {
+  return TRUELUX_VERSION;
+}
+
+const char* VersionText() {
+  return TRUELUX_VERSION_STRING;
+}
+
+}  // namespace truelux

@@ -2,16 +2,47 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "exact/primitive.h"
 #include "exact/recipe_evaluator.h"
 #include "visibility/arc_cleanup.h"
 #include "visibility/coincidence.h"
-#include "visibility/view/view_edges.h"
+#include "visibility/view/edges_at.h"
+#include "visibility/view/nearest_edge.h"
+#include "visibility/view/relevant_triangles.h"
 
 namespace truelux {
 namespace {
+
+/// What could bound one source.
+class SourceEdges {
+ public:
+  SourceEdges(const ContourQuery& query, int facet, bool in_detail)
+      : front_(query, facet), index_(query, TrianglesOfSource(query, front_)) {
+    if (in_detail) nearest_.emplace(index_, front_);
+  }
+
+  SourceEdges(const SourceEdges&) = delete;
+  SourceEdges& operator=(const SourceEdges&) = delete;
+
+  [[nodiscard]] int facet() const { return front_.facet(); }
+
+  [[nodiscard]] std::vector<EdgeHit> Through(const Vec3<Exact>& d) const {
+    return EdgesAt(index_, d).OfSource(facet());
+  }
+
+  /// Nothing unless in_detail was asked for.
+  [[nodiscard]] std::optional<EdgeMiss> NearestTo(const Vec3<Exact>& d) const {
+    return nearest_ ? nearest_->To(d) : std::nullopt;
+  }
+
+ private:
+  FacetFront front_;
+  EdgeIndex index_;
+  std::optional<NearestEdge> nearest_;
+};
 
 /// Describes one contour; keeps the vertices found so far.
 class Describer {
@@ -42,7 +73,7 @@ class Describer {
 
  private:
   void DescribeSource(const SourceArcs& source) {
-    const ViewEdges edges(query_, source.facet);
+    const SourceEdges edges(query_, source.facet, in_detail_);
     const int face =
         query_.scene.facets()[static_cast<std::size_t>(source.facet)].face;
     for (int a = source.first_arc; a < source.first_arc + source.arc_count;
@@ -99,7 +130,7 @@ class Describer {
 
   /// The public vertex of a direction. A vertex that bounds several sources
   /// is described by what coincides in front of any of them.
-  int VertexOf(int direction, const ViewEdges& edges) {
+  int VertexOf(int direction, const SourceEdges& edges) {
     const Vec3<Exact> d = evaluator_.Direction(
         contour_.directions[static_cast<std::size_t>(direction)],
         contour_.planes, contour_.explicit_vectors.All());
@@ -124,10 +155,10 @@ class Describer {
     return entry->second;
   }
 
-  void Collect(const ViewEdges& edges, const Vec3<Exact>& d, Coincidence& c,
+  void Collect(const SourceEdges& edges, const Vec3<Exact>& d, Coincidence& c,
                VertexEdges& of_vertex) {
     const Vec3<Exact> normal = evaluator_.ReceiverNormal();
-    for (const ViewEdges::Hit& hit : edges.Through(d)) {
+    for (const EdgeHit& hit : edges.Through(d)) {
       c.Add(hit.plane, hit.vertex, normal);
       if (in_detail_) of_vertex.through.push_back(hit.edge);
     }
@@ -135,7 +166,7 @@ class Describer {
     std::ranges::sort(of_vertex.through);
     const auto repeated = std::ranges::unique(of_vertex.through);
     of_vertex.through.erase(repeated.begin(), repeated.end());
-    const auto miss = edges.Nearest(d);
+    const auto miss = edges.NearestTo(d);
     if (!miss) return;
     if (of_vertex.nearest && of_vertex.nearest_angle <= miss->angle) return;
     of_vertex.nearest = miss->edge;

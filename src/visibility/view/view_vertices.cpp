@@ -47,7 +47,7 @@ ArcsAround ArcsAroundVertices(const GluedView& view) {
 
 ViewVertices::ViewVertices(const ContourQuery& query,
                            std::span<const FacetView> views,
-                           EdgesThrough& edges)
+                           const EdgeIndex& edges)
     : query_(query), views_(views), edges_(edges), exact_(ViewOf(query)) {
   for (int v = 0; v < static_cast<int>(query.scene.vertices().size()); ++v) {
     const Vec3<Exact> d = exact_.FromReceiver(v);
@@ -61,7 +61,7 @@ bool ViewVertices::IsSource(int facet) const {
 }
 
 bool ViewVertices::CanJoin(const GluedView& view, int vertex,
-                           std::span<const int> arcs) {
+                           std::span<const int> arcs) const {
   if (arcs.size() != 2 || arcs[0] == arcs[1]) return false;
   const GluedArc& a = view.arcs[Index(arcs[0])];
   const GluedArc& b = view.arcs[Index(arcs[1])];
@@ -79,7 +79,7 @@ bool ViewVertices::CanJoin(const GluedView& view, int vertex,
   return Describe(here, bounds_source).vertex.kind != VertexKind::kIntrinsic;
 }
 
-void ViewVertices::JoinArcs(GluedView& view) {
+void ViewVertices::JoinArcs(GluedView& view) const {
   const ArcsAround around = ArcsAroundVertices(view);
   std::vector<bool> joins;
   for (std::size_t v = 0; v < around.size(); ++v)
@@ -137,7 +137,7 @@ bool ViewVertices::PassesStraight(const GluedView& view, int vertex,
 }
 
 WholeViewVertex ViewVertices::Classify(const GluedView& view, int vertex,
-                                       std::span<const int> arcs) {
+                                       std::span<const int> arcs) const {
   const GluedVertex& here = view.vertices[Index(vertex)];
   const bool any_source = std::ranges::any_of(arcs, [&](int a) {
     const GluedArc& arc = view.arcs[Index(a)];
@@ -152,14 +152,14 @@ WholeViewVertex ViewVertices::Classify(const GluedView& view, int vertex,
   return result;
 }
 
-std::vector<EdgeHit> ViewVertices::HitsOf(const GluedVertex& vertex,
-                                          bool bounds_source) {
-  edges_.Look(vertex.direction);
+std::vector<EdgeHit> ViewVertices::HitsOf(const EdgesAt& edges,
+                                          const GluedVertex& vertex,
+                                          bool bounds_source) const {
   if (bounds_source) {
     std::vector<EdgeHit> hits;
     for (const int facet : vertex.around) {
       if (!IsSource(facet)) continue;
-      std::ranges::move(edges_.OfSource(facet), std::back_inserter(hits));
+      std::ranges::move(edges.OfSource(facet), std::back_inserter(hits));
     }
     return hits;
   }
@@ -170,15 +170,16 @@ std::vector<EdgeHit> ViewVertices::HitsOf(const GluedVertex& vertex,
       farthest = facet;
     }
   }
-  return edges_.NotBehind(farthest);
+  return edges.NotBehind(farthest);
 }
 
 WholeViewVertex ViewVertices::Describe(const GluedVertex& vertex,
-                                       bool bounds_source) {
+                                       bool bounds_source) const {
+  const EdgesAt edges(edges_, vertex.direction);
   Coincidence c;
   WholeViewVertex result;
   const Vec3<Exact> normal = exact_.ReceiverNormal();
-  for (const EdgeHit& hit : HitsOf(vertex, bounds_source)) {
+  for (const EdgeHit& hit : HitsOf(edges, vertex, bounds_source)) {
     c.Add(hit.plane, hit.vertex, normal);
     result.edges.push_back(hit.edge);
   }
@@ -190,7 +191,7 @@ WholeViewVertex ViewVertices::Describe(const GluedVertex& vertex,
   result.bounds_source = bounds_source;
   result.planes_with_hidden = result.vertex.planes;
   if (result.vertex.conjunctive) {
-    for (const EdgeHit& hit : edges_.NotBehind(-1))
+    for (const EdgeHit& hit : edges.NotBehind(-1))
       c.Add(hit.plane, hit.vertex, normal);
     ContourVertex all;
     c.Describe(vertex.on_horizon, all);

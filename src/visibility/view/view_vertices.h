@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "exact/recipe_evaluator.h"
-#include "visibility/view/edges_through.h"
+#include "visibility/view/edges_at.h"
 #include "visibility/view/glued_view.h"
 #include "visibility/view/view_data.h"
 
@@ -25,31 +25,33 @@ class ViewVertices {
  public:
   /// The arguments must outlive the object.
   ViewVertices(const ContourQuery& query, std::span<const FacetView> views,
-               EdgesThrough& edges);
+               const EdgeIndex& edges);
 
   /// Joins two arcs where nothing but they meet, one goes on as the other, and
   /// no scene vertex is there that could show. An arc of the horizon may become
   /// the whole of it: then from = to, -1 if no vertex is left on it. Vertices
   /// where no arc is left stay.
-  void JoinArcs(GluedView& view);
+  void JoinArcs(GluedView& view) const;
 
   /// What a vertex is. arcs: the indices of those that end there.
-  WholeViewVertex Classify(const GluedView& view, int vertex,
-                           std::span<const int> arcs);
+  [[nodiscard]] WholeViewVertex Classify(const GluedView& view, int vertex,
+                                         std::span<const int> arcs) const;
 
  private:
   [[nodiscard]] bool IsSource(int facet) const;
   [[nodiscard]] bool CanJoin(const GluedView& view, int vertex,
-                             std::span<const int> arcs);
+                             std::span<const int> arcs) const;
   [[nodiscard]] bool PassesStraight(const GluedView& view, int vertex,
                                     std::span<const int> arcs) const;
-  WholeViewVertex Describe(const GluedVertex& vertex, bool bounds_source);
-  [[nodiscard]] std::vector<EdgeHit> HitsOf(const GluedVertex& vertex,
-                                            bool bounds_source);
+  [[nodiscard]] WholeViewVertex Describe(const GluedVertex& vertex,
+                                         bool bounds_source) const;
+  [[nodiscard]] std::vector<EdgeHit> HitsOf(const EdgesAt& edges,
+                                            const GluedVertex& vertex,
+                                            bool bounds_source) const;
 
   const ContourQuery& query_;
   std::span<const FacetView> views_;
-  EdgesThrough& edges_;
+  const EdgeIndex& edges_;
   RecipeEvaluator<Exact> exact_;
   std::set<PrimitiveVector> scene_vertices_;  ///< the directions to them
 };

@@ -8,8 +8,9 @@
 
 #include "exact/recipe_evaluator.h"
 #include "visibility/arrangement/arrangement_view.h"
-#include "visibility/view/edges_through.h"
+#include "visibility/view/edge_index.h"
 #include "visibility/view/glued_view.h"
+#include "visibility/view/relevant_triangles.h"
 #include "visibility/view/view_loops.h"
 #include "visibility/view/view_vertices.h"
 
@@ -24,7 +25,7 @@ std::size_t Index(int i) {
 class ViewAssembly {
  public:
   ViewAssembly(const ContourQuery& query, std::span<const FacetView> views,
-               const GluedView& glued, const EdgesThrough& edges)
+               const GluedView& glued, const EdgeIndex& edges)
       : query_(query),
         views_(views),
         glued_(glued),
@@ -65,10 +66,6 @@ class ViewAssembly {
 
   const Vec3<Exact>& Direction(int vertex) const {
     return glued_.vertices[Index(vertex)].direction;
-  }
-
-  int FaceNumber(int facet) const {
-    return query_.scene.facets()[Index(facet)].face + 1;
   }
 
   /// The plane through r that holds an arc, with any sign.
@@ -116,12 +113,9 @@ class ViewAssembly {
     if (edge_a && edge_b && *edge_a == *edge_b) arc.kind = ViewArcKind::kInner;
     if (edge_a || edge_b) return;
     arc.kind = ViewArcKind::kMeeting;
-    const FacetView& first = views_[Index(a)];
-    const FacetView& second = views_[Index(b)];
-    meeting_plane_ =
-        second.height * first.normal - first.height * second.normal;
-    arc.edge = {std::min(FaceNumber(a), FaceNumber(b)), -1, -1,
-                std::max(FaceNumber(a), FaceNumber(b))};
+    meeting_plane_ = edges_.MeetingPlane(a, b);
+    arc.edge = {std::min(edges_.FaceNumber(a), edges_.FaceNumber(b)), -1, -1,
+                std::max(edges_.FaceNumber(a), edges_.FaceNumber(b))};
   }
 
   void AddRegions() {
@@ -142,7 +136,7 @@ class ViewAssembly {
     ViewRegion& region = view_.regions[Index(index)];
     if (region.facet >= 0 && region.facet <= facet) return;
     region.facet = facet;
-    region.face = FaceNumber(facet);
+    region.face = edges_.FaceNumber(facet);
     region.front = SignOf(views_[Index(facet)].height) == Sign::kNegative;
   }
 
@@ -169,7 +163,7 @@ class ViewAssembly {
   const ContourQuery& query_;
   std::span<const FacetView> views_;
   const GluedView& glued_;
-  const EdgesThrough& edges_;
+  const EdgeIndex& edges_;
   RecipeEvaluator<Exact> exact_;
   WholeView view_;
   std::vector<Vec3<Exact>> planes_;  ///< per arc, to its left
@@ -189,7 +183,7 @@ WholeView WholeViewOf(const ContourQuery& query,
   }
   if (on_step) on_step(kCharts);
   GluedView glued = Glue(query, charts);
-  EdgesThrough edges(query, views);
+  const EdgeIndex edges(query, RelevantTriangles(query));
   ViewVertices vertices(query, views, edges);
   vertices.JoinArcs(glued);
   return ViewAssembly(query, views, glued, edges).Assemble(vertices);

@@ -12,7 +12,6 @@
 
 #include "cli/option_values.h"
 #include "cli/oracle_arguments.h"
-#include "cli/version.h"
 #include "run/user_error.h"
 #include "text/results.h"
 
@@ -198,7 +197,7 @@ std::vector<ImageText> ExrTexts(const std::string& scene,
   return {{"comments",
            fmt::format("irradiance [W/m^2] by truelux {}: the binary64 value "
                        "({}) rounded once more to binary32",
-                       kVersion, Name(options.method))},
+                       VersionText(), Name(options.method))},
           {"scene", std::filesystem::path(scene).filename().string()},
           {"method", std::string(Name(options.method))},
           {"emission", std::string(Name(options.emission))},

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <fmt/format.h>
 #include <span>
+#include <string>
+#include <utility>
 
 #include "image/image_legend.h"
 #include "image/isolux.h"

@@ -15,12 +15,12 @@ function(truelux_install_library target component)
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
       COMPONENT ${component} NAMELINK_COMPONENT ${component} ${ARGN}
     INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  get_target_property(type ${target} TYPE)
   install(EXPORT ${target}-targets NAMESPACE truelux::
-    FILE truelux-targets.cmake
+    FILE truelux-targets-${type}.cmake
     DESTINATION ${_package_dir} COMPONENT ${component} ${ARGN})
 
   # A static library does not know what it needs: whoever links it links that.
-  get_target_property(type ${target} TYPE)
   set(PC_LIBS "")
   set(PC_PRIVATE_LIBS "-lmpfr -lgmp")
   if(type STREQUAL STATIC_LIBRARY)
@@ -29,6 +29,7 @@ function(truelux_install_library target component)
   endif()
   # The prefix as seen from the file, so that the folder may be moved.
   file(RELATIVE_PATH PC_PREFIX /prefix/${_pkgconfig_dir} /prefix)
+  string(REGEX REPLACE "/$" "" PC_PREFIX "${PC_PREFIX}")
   configure_file(${PROJECT_SOURCE_DIR}/cmake/truelux.pc.in
     ${PROJECT_BINARY_DIR}/cmake/${target}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/cmake/${target}.pc

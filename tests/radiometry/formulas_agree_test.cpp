@@ -63,7 +63,7 @@ class FormulasAgree : public ::testing::TestWithParam<std::string> {};
 TEST_P(FormulasAgree, ToSixtyDigits) {
   int sources = 0;
   int unbounded = 0;
-  const int most = SweepSize(20, std::numeric_limits<int>::max());
+  const int most = SweepSize(8, std::numeric_limits<int>::max());
   LookAtEach(GetParam(), [&](const WeightedContour& weighted) {
     if (sources >= most) return;
     FormulaEvaluation<Multiprecision> formulas(weighted, 0x1p20, 1024);
@@ -105,7 +105,7 @@ TEST_P(FormulasAgree, ToSixtyDigits) {
 /// many points, and heights of 1e-17 lose as much.
 TEST_P(FormulasAgree, UpToTruncation) {
   int applicable = 0;
-  const int most = 2 * SweepSize(3, 20);
+  const int most = 2 * SweepSize(1, 20);
   LookAtEach(GetParam(), [&](const WeightedContour& weighted) {
     if (applicable > most) return;
     FormulaEvaluation<Multiprecision> formulas(weighted, 0x1p20, 300);

@@ -193,6 +193,17 @@ TEST(Layering, PublicHeadersNeedOnlyTheStandardLibrary) {
   }
 }
 
+TEST(Layering, OneFileSeesTheCommandLineParser) {
+  // Its header takes ten seconds to compile.
+  std::vector<std::string> users;
+  for (const Source& source : SourcesIn("src")) {
+    for (const std::string& include : IncludesOf(source)) {
+      if (include.starts_with("<CLI/")) users.push_back(source.path);
+    }
+  }
+  EXPECT_EQ(users, std::vector<std::string>{"src/cli/parser.cpp"});
+}
+
 TEST(Layering, FilesAreShortEnoughToRead) {
   for (const char* folder :
        {"include", "src", "tests", "bench", "examples", "fuzz"}) {

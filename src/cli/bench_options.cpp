@@ -1,8 +1,12 @@
-#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/cmd_bench.h"
+#include "cli/commands.h"
 #include "cli/input_arguments.h"
+#include "cli/option_table.h"
 
 namespace truelux {
 namespace {
@@ -28,46 +32,57 @@ constexpr const char* kExamples =
     "  truelux bench room.obj floor.csv -o report.html --quick\n"
     "  truelux bench city.obj - -o city.html --receivers 50 < streets.csv\n";
 
-void AddInputs(CLI::App& command, BenchArguments& arguments) {
-  AddSceneArgument(command, arguments.scene);
-  AddReceiversArgument(command, arguments.receivers).required();
-  command
-      .add_option("-o,--output", arguments.output,
-                  "the report; the tables go beside it")
-      ->type_name("REPORT.html")
-      ->required();
+OptionRow RequiredReceivers(std::optional<std::string>& receivers) {
+  OptionRow row = ReceiversArgument(receivers);
+  row.required = true;
+  return row;
 }
 
-void AddLimits(CLI::App& command, BenchArguments& arguments) {
-  arguments.count = "1000";
-  arguments.seed = "1";
-  command
-      .add_option("--receivers", arguments.count,
-                  "use at most so many receivers, evenly picked")
-      ->capture_default_str()
-      ->type_name("N");
-  command
-      .add_option("--seconds", arguments.seconds,
-                  "processor time per method; what it leaves no time for is\n"
-                  "left out (default: 10, with --quick 1)")
-      ->type_name("S");
-  command.add_option("--seed", arguments.seed, "of random samples")
-      ->capture_default_str()
-      ->type_name("N");
-  command.add_flag("--quick", arguments.quick,
-                   "fewer methods and less time for each");
-  command.add_flag("--arrangement", arguments.arrangement,
-                   "the arrangement engine on large scenes, too");
+std::vector<OptionRow> OptionsOf(BenchArguments& arguments) {
+  return {
+      SceneArgument(arguments.scene),
+      RequiredReceivers(arguments.receivers),
+      {.name = "-o,--output",
+       .target = &arguments.output,
+       .value = "REPORT.html",
+       .help = "the report; the tables go beside it",
+       .required = true},
+      {.name = "--receivers",
+       .target = &arguments.count,
+       .value = "N",
+       .help = "use at most so many receivers, evenly picked",
+       .show_default = true},
+      {.name = "--seconds",
+       .target = &arguments.seconds,
+       .value = "S",
+       .help = "processor time per method; what it leaves no time for is\n"
+               "left out (default: 10, with --quick 1)"},
+      {.name = "--seed",
+       .target = &arguments.seed,
+       .value = "N",
+       .help = "of random samples",
+       .show_default = true},
+      {.name = "--quick",
+       .target = &arguments.quick,
+       .help = "fewer methods and less time for each"},
+      {.name = "--arrangement",
+       .target = &arguments.arrangement,
+       .help = "the arrangement engine on large scenes, too"},
+  };
 }
 
 }  // namespace
 
-void AddBenchCommand(CLI::App& app, BenchArguments& arguments) {
-  CLI::App& command = *app.add_subcommand("bench", kDescription);
-  AddInputs(command, arguments);
-  AddLimits(command, arguments);
-  command.footer(std::string(kReportHelp) + "\n" + kExamples + "\n" +
-                 kExitStatusHelp);
+Command BenchCommand() {
+  const auto arguments = std::make_shared<BenchArguments>();
+  arguments->count = "1000";
+  arguments->seed = "1";
+  return {.name = "bench",
+          .summary = kDescription,
+          .details = kReportHelp,
+          .examples = kExamples,
+          .options = OptionsOf(*arguments),
+          .run = [arguments] { return RunBench(*arguments); }};
 }
 
 }  // namespace truelux

@@ -8,10 +8,6 @@
 
 #include "run/exit_status.h"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
-class App;
-}
-
 namespace truelux {
 
 /// The words of the command line, before they are looked at.
@@ -25,10 +21,6 @@ struct BenchArguments {
   bool quick = false;
   bool arrangement = false;
 };
-
-/// Adds the command to `app`. Parsing fills `arguments`, which must stay in
-/// place until then.
-void AddBenchCommand(CLI::App& app, BenchArguments& arguments);
 
 /// Runs it. Throws UserError for bad input, and Interruption.
 ExitStatus RunBench(const BenchArguments& arguments);

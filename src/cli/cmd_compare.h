@@ -8,10 +8,6 @@
 
 #include "run/exit_status.h"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
-class App;
-}
-
 namespace truelux {
 
 /// The words of the command line, before they are looked at.
@@ -26,10 +22,6 @@ struct CompareArguments {
   std::string emission;
   std::string threads;
 };
-
-/// Adds the command to `app`. Parsing fills `arguments`, which must stay in
-/// place until then.
-void AddCompareCommand(CLI::App& app, CompareArguments& arguments);
 
 /// Runs it: kComparisonFailed if a receiver fails. Throws UserError for bad
 /// input, and Interruption.

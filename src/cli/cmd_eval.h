@@ -6,15 +6,7 @@
 #include "cli/eval_request.h"
 #include "run/exit_status.h"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
-class App;
-}
-
 namespace truelux {
-
-/// Adds the command to `app`. Parsing fills `arguments`, which must stay in
-/// place until then.
-void AddEvalCommand(CLI::App& app, EvalArguments& arguments);
 
 /// Runs it. Throws UserError for bad input, and Interruption.
 ExitStatus RunEval(const EvalArguments& arguments);

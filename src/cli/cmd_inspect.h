@@ -8,10 +8,6 @@
 
 #include "run/exit_status.h"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
-class App;
-}
-
 namespace truelux {
 
 /// The words of the command line, before they are looked at.
@@ -26,10 +22,6 @@ struct InspectArguments {
   std::string size;
   std::string emission;
 };
-
-/// Adds the command to `app`. Parsing fills `arguments`, which must stay in
-/// place until then.
-void AddInspectCommand(CLI::App& app, InspectArguments& arguments);
 
 /// Runs it. Throws UserError for bad input, and Interruption.
 ExitStatus RunInspect(const InspectArguments& arguments);

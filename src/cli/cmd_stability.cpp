@@ -1,16 +1,21 @@
-#include "cli/cmd_stability.h"
+// truelux stability: how many digits each formula keeps in each arithmetic.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <fmt/format.h>
+#include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "baselines/regimes.h"
 #include "baselines/stability_study.h"
+#include "cli/commands.h"
+#include "cli/option_table.h"
 #include "cli/option_values.h"
 #include "cli/output_paths.h"
+#include "run/exit_status.h"
 #include "run/interrupt.h"
 #include "run/output_file.h"
 #include "run/progress.h"
@@ -19,6 +24,14 @@
 
 namespace truelux {
 namespace {
+
+/// The words of the command line, before they are looked at.
+struct StabilityArguments {
+  std::string cases;
+  std::string seed;
+  std::string only;
+  std::optional<std::string> csv;
+};
 
 constexpr const char* kDescription =
     "Digits that each formula keeps, regime by regime";
@@ -67,31 +80,7 @@ std::optional<OutputFile> OpenCsv(const std::optional<std::string>& word) {
   return std::optional<OutputFile>(std::in_place, path);
 }
 
-}  // namespace
-
-void AddStabilityCommand(CLI::App& app, StabilityArguments& arguments) {
-  const StabilityOptions defaults;
-  arguments.cases = std::to_string(defaults.cases);
-  arguments.seed = std::to_string(defaults.seed);
-  CLI::App& command = *app.add_subcommand("stability", kDescription);
-  command.add_option("--cases", arguments.cases, "random cases of each regime")
-      ->capture_default_str()
-      ->type_name("N");
-  command
-      .add_option("--seed", arguments.seed,
-                  "other cases; the same seed gives the same errors")
-      ->capture_default_str()
-      ->type_name("N");
-  command
-      .add_option("--only", arguments.only,
-                  "only regimes that have TEXT in their names")
-      ->type_name("TEXT");
-  command.add_option("--csv", arguments.csv, "all numbers as a table")
-      ->type_name("FILE");
-  command.footer(std::string(kHelp) + "\n" + kExamples + "\n" +
-                 kExitStatusHelp);
-}
-
+/// kComparisonFailed: a printed bound does not hold.
 ExitStatus RunStability(const StabilityArguments& arguments) {
   StabilityOptions options;
   options.cases = static_cast<int>(
@@ -126,6 +115,44 @@ ExitStatus RunStability(const StabilityArguments& arguments) {
     if (!result.violations.empty()) return ExitStatus::kComparisonFailed;
   }
   return ExitStatus::kDone;
+}
+
+std::vector<OptionRow> OptionsOf(StabilityArguments& arguments) {
+  return {
+      {.name = "--cases",
+       .target = &arguments.cases,
+       .value = "N",
+       .help = "random cases of each regime",
+       .show_default = true},
+      {.name = "--seed",
+       .target = &arguments.seed,
+       .value = "N",
+       .help = "other cases; the same seed gives the same errors",
+       .show_default = true},
+      {.name = "--only",
+       .target = &arguments.only,
+       .value = "TEXT",
+       .help = "only regimes that have TEXT in their names"},
+      {.name = "--csv",
+       .target = &arguments.csv,
+       .value = "FILE",
+       .help = "all numbers as a table"},
+  };
+}
+
+}  // namespace
+
+Command StabilityCommand() {
+  const StabilityOptions defaults;
+  const auto arguments = std::make_shared<StabilityArguments>();
+  arguments->cases = std::to_string(defaults.cases);
+  arguments->seed = std::to_string(defaults.seed);
+  return {.name = "stability",
+          .summary = kDescription,
+          .details = kHelp,
+          .examples = kExamples,
+          .options = OptionsOf(*arguments),
+          .run = [arguments] { return RunStability(*arguments); }};
 }
 
 }  // namespace truelux

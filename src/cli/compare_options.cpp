@@ -1,8 +1,10 @@
-#include <CLI/CLI.hpp>
-#include <string>
+#include <memory>
+#include <vector>
 
 #include "cli/cmd_compare.h"
+#include "cli/commands.h"
 #include "cli/input_arguments.h"
+#include "cli/option_table.h"
 #include "cli/oracle_arguments.h"
 #include "compare/candidate_report.h"
 
@@ -37,49 +39,55 @@ constexpr const char* kExamples =
     "  truelux eval room.obj floor.csv --method double |\n"
     "      truelux compare room.obj - --tolerance 1e-12\n";
 
-void AddOutputs(CLI::App& command, CompareArguments& arguments) {
-  command
-      .add_option("-o,--output", arguments.output,
-                  "where to write; by default standard output")
-      ->type_name("REPORT.txt");
-  command
-      .add_option("--json", arguments.json,
-                  "the same facts; - is standard output, if -o is not")
-      ->type_name("FILE.json");
-}
-
-void AddMeaning(CLI::App& command, CompareArguments& arguments) {
-  arguments.quantity = Name(Quantity::kIrradiance);
-  AddChoice(command, "--quantity", arguments.quantity,
-            {Name(Quantity::kIrradiance), Name(Quantity::kFormFactor)},
-            "what the values are: irradiance, or form-factor, the irradiance\n"
-            "if every face that emits had M = 1");
-  command
-      .add_option("--channel", arguments.channel,
-                  "compare one channel, in column E or in its own")
-      ->type_name("r|g|b");
-  arguments.tolerance = "1e-6";
-  AddWord(command, "--tolerance", arguments.tolerance,
-          "largest relative error that passes")
-      .type_name("T");
+std::vector<OptionRow> OptionsOf(CompareArguments& arguments) {
+  return {
+      SceneArgument(arguments.scene),
+      {.name = "CANDIDATE.csv",
+       .target = &arguments.candidate,
+       .value = "FILE",
+       .help = "receivers with the candidate's values; - is standard input",
+       .required = true},
+      {.name = "-o,--output",
+       .target = &arguments.output,
+       .value = "REPORT.txt",
+       .help = "where to write; by default standard output"},
+      {.name = "--json",
+       .target = &arguments.json,
+       .value = "FILE.json",
+       .help = "the same facts; - is standard output, if -o is not"},
+      {.name = "--quantity",
+       .target = &arguments.quantity,
+       .help = "what the values are: irradiance, or form-factor, the "
+               "irradiance\n"
+               "if every face that emits had M = 1",
+       .show_default = true,
+       .choices = {Name(Quantity::kIrradiance), Name(Quantity::kFormFactor)}},
+      {.name = "--channel",
+       .target = &arguments.channel,
+       .value = "r|g|b",
+       .help = "compare one channel, in column E or in its own"},
+      {.name = "--tolerance",
+       .target = &arguments.tolerance,
+       .value = "T",
+       .help = "largest relative error that passes",
+       .show_default = true},
+      EmissionOption(arguments.emission),
+      ThreadsOption(arguments.threads),
+  };
 }
 
 }  // namespace
 
-void AddCompareCommand(CLI::App& app, CompareArguments& arguments) {
-  CLI::App& command = *app.add_subcommand("compare", kDescription);
-  AddSceneArgument(command, arguments.scene);
-  command
-      .add_option("CANDIDATE.csv", arguments.candidate,
-                  "receivers with the candidate's values; - is standard input")
-      ->type_name("FILE")
-      ->required();
-  AddOutputs(command, arguments);
-  AddMeaning(command, arguments);
-  AddEmissionOption(command, arguments.emission);
-  AddThreadsOption(command, arguments.threads);
-  command.footer(std::string(kCompareHelp) + "\n" + kExamples + "\n" +
-                 kExitStatusHelp);
+Command CompareCommand() {
+  const auto arguments = std::make_shared<CompareArguments>();
+  arguments->quantity = Name(Quantity::kIrradiance);
+  arguments->tolerance = "1e-6";
+  return {.name = "compare",
+          .summary = kDescription,
+          .details = kCompareHelp,
+          .examples = kExamples,
+          .options = OptionsOf(*arguments),
+          .run = [arguments] { return RunCompare(*arguments); }};
 }
 
 }  // namespace truelux

@@ -1,13 +1,16 @@
-#include <CLI/CLI.hpp>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "truelux/formulas.h"
 
 #include "cli/cmd_eval.h"
+#include "cli/commands.h"
 #include "cli/input_arguments.h"
+#include "cli/option_table.h"
 #include "cli/oracle_arguments.h"
 
 namespace truelux {
@@ -51,58 +54,59 @@ std::string WordsOf(std::span<const Formula> formulas) {
   return text;
 }
 
-void AddInputs(CLI::App& command, EvalArguments& arguments) {
-  AddSceneArgument(command, arguments.scene);
-  AddReceiversArgument(command, arguments.receivers);
-  command.add_option("--at", arguments.at, "one receiver: its point")
-      ->type_name("x,y,z");
-  command.add_option("--normal", arguments.normal, "with --at: its normal")
-      ->type_name("nx,ny,nz");
-  command
-      .add_option("--on-face", arguments.on_face,
-                  "with --at: the face on which the point lies")
-      ->type_name("N");
-}
-
-void AddOutputs(CLI::App& command, EvalArguments& arguments) {
-  command
-      .add_option("-o,--output", arguments.output,
-                  "where to write; by default standard output")
-      ->type_name("OUT.csv");
-  command
-      .add_option("--stats", arguments.stats,
-                  "times, and how often each predicate and evaluation stage\n"
-                  "answered, as JSON")
-      ->type_name("FILE.json");
-}
-
-void AddChoices(CLI::App& command, EvalArguments& arguments) {
-  AddMethodOption(command, arguments.method);
-  AddEngineOption(command, arguments.engine);
-  AddEmissionOption(command, arguments.emission);
-  command
-      .add_option("--formula", arguments.formula,
-                  "with --method double: the formula that is summed, one of\n" +
-                      WordsOf(AllFormulas()) + ";\nby default auto")
-      ->type_name("NAME");
-  command
-      .add_option("--half-side", arguments.half_side,
-                  "with --formula image-plane or directions: what is visible\n"
-                  "is cut to |x|, |y| <= R on the plane at distance 1; by\n"
-                  "default 2^20")
-      ->type_name("R");
-  AddThreadsOption(command, arguments.threads);
+std::vector<OptionRow> OptionsOf(EvalArguments& arguments) {
+  return {
+      SceneArgument(arguments.scene),
+      ReceiversArgument(arguments.receivers),
+      {.name = "--at",
+       .target = &arguments.at,
+       .value = "x,y,z",
+       .help = "one receiver: its point"},
+      {.name = "--normal",
+       .target = &arguments.normal,
+       .value = "nx,ny,nz",
+       .help = "with --at: its normal"},
+      {.name = "--on-face",
+       .target = &arguments.on_face,
+       .value = "N",
+       .help = "with --at: the face on which the point lies"},
+      {.name = "-o,--output",
+       .target = &arguments.output,
+       .value = "OUT.csv",
+       .help = "where to write; by default standard output"},
+      {.name = "--stats",
+       .target = &arguments.stats,
+       .value = "FILE.json",
+       .help = "times, and how often each predicate and evaluation stage\n"
+               "answered, as JSON"},
+      MethodOption(arguments.method),
+      EngineOption(arguments.engine),
+      EmissionOption(arguments.emission),
+      {.name = "--formula",
+       .target = &arguments.formula,
+       .value = "NAME",
+       .help = "with --method double: the formula that is summed, one of\n" +
+               WordsOf(AllFormulas()) + ";\nby default auto"},
+      {.name = "--half-side",
+       .target = &arguments.half_side,
+       .value = "R",
+       .help = "with --formula image-plane or directions: what is visible\n"
+               "is cut to |x|, |y| <= R on the plane at distance 1; by\n"
+               "default 2^20"},
+      ThreadsOption(arguments.threads),
+  };
 }
 
 }  // namespace
 
-void AddEvalCommand(CLI::App& app, EvalArguments& arguments) {
-  CLI::App& command = *app.add_subcommand("eval", kDescription);
-  AddInputs(command, arguments);
-  AddOutputs(command, arguments);
-  AddChoices(command, arguments);
-  command.footer(std::string(kInputHelp) + "\n" + kExamples + "\n" +
-                 kExitStatusHelp);
+Command EvalCommand() {
+  const auto arguments = std::make_shared<EvalArguments>();
+  return {.name = "eval",
+          .summary = kDescription,
+          .details = kInputHelp,
+          .examples = kExamples,
+          .options = OptionsOf(*arguments),
+          .run = [arguments] { return RunEval(*arguments); }};
 }
 
 }  // namespace truelux

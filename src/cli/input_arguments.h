@@ -6,20 +6,16 @@
 #include <optional>
 #include <string>
 
-namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
-class App;
-class Option;
-}  // namespace CLI
+#include "cli/option_table.h"
 
 namespace truelux {
 
 /// The argument SCENE.obj, which must be given.
-void AddSceneArgument(CLI::App& command, std::string& scene);
+OptionRow SceneArgument(std::string& scene);
 
 /// The argument RECEIVERS.csv, which may be left out unless the caller says
 /// otherwise.
-CLI::Option& AddReceiversArgument(CLI::App& command,
-                                  std::optional<std::string>& receivers);
+OptionRow ReceiversArgument(std::optional<std::string>& receivers);
 
 }  // namespace truelux
 

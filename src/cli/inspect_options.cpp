@@ -1,8 +1,11 @@
-#include <CLI/CLI.hpp>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/cmd_inspect.h"
+#include "cli/commands.h"
 #include "cli/input_arguments.h"
+#include "cli/option_table.h"
 #include "cli/oracle_arguments.h"
 #include "inspect/view_svg.h"
 
@@ -30,47 +33,62 @@ constexpr const char* kExamples =
     "  truelux inspect room.obj --at 1,0,2 --normal 0,1,0 --json - | jq "
     ".sources\n";
 
-void AddOutputs(CLI::App& command, InspectArguments& arguments) {
-  command
-      .add_option("-o,--output", arguments.output,
-                  "the picture; - is standard output")
-      ->type_name("VIEW.svg");
-  command
-      .add_option("--json", arguments.json,
-                  "regions, arcs, vertices, and each source's form factor and\n"
-                  "solid angle; - is standard output")
-      ->type_name("FILE.json");
-  arguments.projection = Name(ViewPicture().projection);
-  AddChoice(command, "--projection", arguments.projection,
-            {Name(ViewProjection::kNusselt), Name(ViewProjection::kGnomonic)},
-            "nusselt: a disc in which area is irradiance; gnomonic: an image\n"
-            "plane with straight edges, cut 80 degrees from the normal");
-  arguments.size = std::to_string(ViewPicture().width);
-  AddWord(command, "--size", arguments.size,
-          "width of the picture with its legend")
-      .type_name("PIXELS");
+std::vector<OptionRow> OptionsOf(InspectArguments& arguments) {
+  return {
+      SceneArgument(arguments.scene),
+      {.name = "--at",
+       .target = &arguments.at,
+       .value = "x,y,z",
+       .help = "the receiver: its point",
+       .required = true},
+      {.name = "--normal",
+       .target = &arguments.normal,
+       .value = "nx,ny,nz",
+       .help = "its normal",
+       .required = true},
+      {.name = "--on-face",
+       .target = &arguments.on_face,
+       .value = "N",
+       .help = "the face on which the point lies, by its number: that face\n"
+               "and all in its plane are not seen"},
+      {.name = "-o,--output",
+       .target = &arguments.output,
+       .value = "VIEW.svg",
+       .help = "the picture; - is standard output"},
+      {.name = "--json",
+       .target = &arguments.json,
+       .value = "FILE.json",
+       .help = "regions, arcs, vertices, and each source's form factor and\n"
+               "solid angle; - is standard output"},
+      {.name = "--projection",
+       .target = &arguments.projection,
+       .help = "nusselt: a disc in which area is irradiance; gnomonic: an "
+               "image\n"
+               "plane with straight edges, cut 80 degrees from the normal",
+       .show_default = true,
+       .choices = {Name(ViewProjection::kNusselt),
+                   Name(ViewProjection::kGnomonic)}},
+      {.name = "--size",
+       .target = &arguments.size,
+       .value = "PIXELS",
+       .help = "width of the picture with its legend",
+       .show_default = true},
+      EmissionOption(arguments.emission),
+  };
 }
 
 }  // namespace
 
-void AddInspectCommand(CLI::App& app, InspectArguments& arguments) {
-  CLI::App& command = *app.add_subcommand("inspect", kDescription);
-  AddSceneArgument(command, arguments.scene);
-  command.add_option("--at", arguments.at, "the receiver: its point")
-      ->type_name("x,y,z")
-      ->required();
-  command.add_option("--normal", arguments.normal, "its normal")
-      ->type_name("nx,ny,nz")
-      ->required();
-  command
-      .add_option("--on-face", arguments.on_face,
-                  "the face on which the point lies, by its number: that face\n"
-                  "and all in its plane are not seen")
-      ->type_name("N");
-  AddOutputs(command, arguments);
-  AddEmissionOption(command, arguments.emission);
-  command.footer(std::string(kViewHelp) + "\n" + kExamples + "\n" +
-                 kExitStatusHelp);
+Command InspectCommand() {
+  const auto arguments = std::make_shared<InspectArguments>();
+  arguments->projection = Name(ViewPicture().projection);
+  arguments->size = std::to_string(ViewPicture().width);
+  return {.name = "inspect",
+          .summary = kDescription,
+          .details = kViewHelp,
+          .examples = kExamples,
+          .options = OptionsOf(*arguments),
+          .run = [arguments] { return RunInspect(*arguments); }};
 }
 
 }  // namespace truelux

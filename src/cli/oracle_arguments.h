@@ -4,34 +4,19 @@
 #define TRUELUX_CLI_ORACLE_ARGUMENTS_H_
 
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "truelux/irradiance.h"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
-class App;
-class Option;
-}  // namespace CLI
+#include "cli/option_table.h"
 
 namespace truelux {
 
-/// An option whose default is the value that `word` has now.
-CLI::Option& AddWord(CLI::App& command, const char* name, std::string& word,
-                     const std::string& help);
-
-/// The same for an option that takes one of some words; the parser refuses all
-/// others.
-CLI::Option& AddChoice(CLI::App& command, const char* name, std::string& word,
-                       const std::vector<std::string_view>& choices,
-                       const std::string& help);
-
-/// Each adds an option and sets `word` to its default; the parser then puts
-/// the user's word there.
-void AddMethodOption(CLI::App& command, std::string& word);
-void AddEngineOption(CLI::App& command, std::string& word);
-void AddEmissionOption(CLI::App& command, std::string& word);
-void AddThreadsOption(CLI::App& command, std::string& word);
+/// Each is a row of a command's table and sets `word` to its default; the
+/// parser then puts the user's word there.
+OptionRow MethodOption(std::string& word);
+OptionRow EngineOption(std::string& word);
+OptionRow EmissionOption(std::string& word);
+OptionRow ThreadsOption(std::string& word);
 
 /// What the words mean, once the parser has accepted them.
 Method MethodOf(const std::string& word);

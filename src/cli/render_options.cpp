@@ -1,8 +1,10 @@
-#include <CLI/CLI.hpp>
-#include <string>
+#include <memory>
+#include <vector>
 
 #include "cli/cmd_render.h"
+#include "cli/commands.h"
 #include "cli/input_arguments.h"
+#include "cli/option_table.h"
 #include "cli/oracle_arguments.h"
 
 namespace truelux {
@@ -35,96 +37,117 @@ constexpr const char* kExamples =
     "\\\n"
     "      --size 640x480 -o room.png\n";
 
-void AddView(CLI::App& command, RenderArguments& arguments) {
-  command
-      .add_option("--surface", arguments.surface,
-                  "the object or group that is pictured; its faces must be\n"
-                  "exactly coplanar")
-      ->type_name("NAME");
-  command.add_option("--eye", arguments.eye, "a camera: where it is")
-      ->type_name("x,y,z");
-  command
-      .add_option("--target", arguments.target,
-                  "the point in the middle of its picture")
-      ->type_name("x,y,z");
-  command.add_option("--up", arguments.up, "what is up in its picture")
-      ->type_name("x,y,z");
-  command
-      .add_option("--fov", arguments.fov,
-                  "the angle from the lower to the upper edge [degrees]")
-      ->type_name("DEGREES");
-  arguments.size = "512";
-  AddWord(command, "--size", arguments.size,
-          "pixels; W alone makes a surface's pixels square, and a camera's\n"
-          "picture")
-      .type_name("WxH|W");
+std::vector<OptionRow> ViewOptions(RenderArguments& arguments) {
+  return {
+      {.name = "--surface",
+       .target = &arguments.surface,
+       .value = "NAME",
+       .help = "the object or group that is pictured; its faces must be\n"
+               "exactly coplanar"},
+      {.name = "--eye",
+       .target = &arguments.eye,
+       .value = "x,y,z",
+       .help = "a camera: where it is"},
+      {.name = "--target",
+       .target = &arguments.target,
+       .value = "x,y,z",
+       .help = "the point in the middle of its picture"},
+      {.name = "--up",
+       .target = &arguments.up,
+       .value = "x,y,z",
+       .help = "what is up in its picture"},
+      {.name = "--fov",
+       .target = &arguments.fov,
+       .value = "DEGREES",
+       .help = "the angle from the lower to the upper edge [degrees]"},
+      {.name = "--size",
+       .target = &arguments.size,
+       .value = "WxH|W",
+       .help = "pixels; W alone makes a surface's pixels square, and a "
+               "camera's\n"
+               "picture",
+       .show_default = true},
+  };
 }
 
-void AddOutputs(CLI::App& command, RenderArguments& arguments) {
-  command
-      .add_option("-o,--output", arguments.output, "the picture, by its ending")
-      ->type_name("FILE.exr|FILE.png")
-      ->required();
-  command
-      .add_option("--values", arguments.values,
-                  "the values of all pixels, as eval writes them")
-      ->type_name("FILE.csv");
-  command
-      .add_option("--receivers-out", arguments.receivers_out,
-                  "the receivers of all pixels, as eval reads them")
-      ->type_name("FILE.csv");
-  command
-      .add_option(
-          "--also", arguments.also,
-          "a further picture FILE_error.png, FILE_arcs.png or\n"
-          "FILE_class.png: |double - certified|, the number of arcs of\n"
-          "the visible contour, or lit, umbra, penumbra, conjunctive;\n"
-          "may be given for each")
-      ->type_name("error|arcs|class")
-      ->check(CLI::IsMember({"error", "arcs", "class"}).description(""))
-      ->expected(1)
-      ->take_all();
+std::vector<OptionRow> OutputOptions(RenderArguments& arguments) {
+  return {
+      {.name = "-o,--output",
+       .target = &arguments.output,
+       .value = "FILE.exr|FILE.png",
+       .help = "the picture, by its ending",
+       .required = true},
+      {.name = "--values",
+       .target = &arguments.values,
+       .value = "FILE.csv",
+       .help = "the values of all pixels, as eval writes them"},
+      {.name = "--receivers-out",
+       .target = &arguments.receivers_out,
+       .value = "FILE.csv",
+       .help = "the receivers of all pixels, as eval reads them"},
+      {.name = "--also",
+       .target = &arguments.also,
+       .help = "a further picture FILE_error.png, FILE_arcs.png or\n"
+               "FILE_class.png: |double - certified|, the number of arcs of\n"
+               "the visible contour, or lit, umbra, penumbra, conjunctive;\n"
+               "may be given for each",
+       .choices = {"error", "arcs", "class"}},
+  };
 }
 
-void AddColours(CLI::App& command, RenderArguments& arguments) {
-  command
-      .add_option("--exposure", arguments.exposure,
-                  "of a PNG: white is 2^-STOPS W/m^2")
-      ->type_name("STOPS");
-  command
-      .add_option("--white", arguments.white,
-                  "of a PNG: the irradiance shown as white, or at the top of\n"
-                  "the scale [W/m^2]; by default the 99 % quantile, and the\n"
-                  "largest value of a scale")
-      ->type_name("E");
-  command.add_flag("--false-colour", arguments.false_colour,
-                   "of a PNG: one channel by colour, with a scale and isolux\n"
-                   "lines");
-  command.add_flag("--no-isolux", arguments.no_isolux,
-                   "with --false-colour: no lines");
-  command
-      .add_option("--channel", arguments.channel,
-                  "with --false-colour and --also error: what is shown; by\n"
-                  "default luminance, 0.2126 r + 0.7152 g + 0.0722 b, and of\n"
-                  "errors the largest")
-      ->type_name("luminance|r|g|b")
-      ->check(CLI::IsMember({"luminance", "r", "g", "b"}).description(""));
+std::vector<OptionRow> ColourOptions(RenderArguments& arguments) {
+  return {
+      {.name = "--exposure",
+       .target = &arguments.exposure,
+       .value = "STOPS",
+       .help = "of a PNG: white is 2^-STOPS W/m^2"},
+      {.name = "--white",
+       .target = &arguments.white,
+       .value = "E",
+       .help = "of a PNG: the irradiance shown as white, or at the top of\n"
+               "the scale [W/m^2]; by default the 99 % quantile, and the\n"
+               "largest value of a scale"},
+      {.name = "--false-colour",
+       .target = &arguments.false_colour,
+       .help = "of a PNG: one channel by colour, with a scale and isolux\n"
+               "lines"},
+      {.name = "--no-isolux",
+       .target = &arguments.no_isolux,
+       .help = "with --false-colour: no lines"},
+      {.name = "--channel",
+       .target = &arguments.channel,
+       .help = "with --false-colour and --also error: what is shown; by\n"
+               "default luminance, 0.2126 r + 0.7152 g + 0.0722 b, and of\n"
+               "errors the largest",
+       .choices = {"luminance", "r", "g", "b"}},
+  };
+}
+
+std::vector<OptionRow> OptionsOf(RenderArguments& arguments) {
+  std::vector<OptionRow> all = {SceneArgument(arguments.scene)};
+  for (const std::vector<OptionRow>& rows :
+       {ViewOptions(arguments), OutputOptions(arguments),
+        ColourOptions(arguments)}) {
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  all.push_back(MethodOption(arguments.method));
+  all.push_back(EngineOption(arguments.engine));
+  all.push_back(EmissionOption(arguments.emission));
+  all.push_back(ThreadsOption(arguments.threads));
+  return all;
 }
 
 }  // namespace
 
-void AddRenderCommand(CLI::App& app, RenderArguments& arguments) {
-  CLI::App& command = *app.add_subcommand("render", kDescription);
-  AddSceneArgument(command, arguments.scene);
-  AddView(command, arguments);
-  AddOutputs(command, arguments);
-  AddColours(command, arguments);
-  AddMethodOption(command, arguments.method);
-  AddEngineOption(command, arguments.engine);
-  AddEmissionOption(command, arguments.emission);
-  AddThreadsOption(command, arguments.threads);
-  command.footer(std::string(kFilesHelp) + "\n" + kExamples + "\n" +
-                 kExitStatusHelp);
+Command RenderCommand() {
+  const auto arguments = std::make_shared<RenderArguments>();
+  arguments->size = "512";
+  return {.name = "render",
+          .summary = kDescription,
+          .details = kFilesHelp,
+          .examples = kExamples,
+          .options = OptionsOf(*arguments),
+          .run = [arguments] { return RunRender(*arguments); }};
 }
 
 }  // namespace truelux

@@ -35,7 +35,7 @@ run_tests() {
 }
 
 lane_dev() {
-  need_packages run test
+  need_packages run test browser
   prepare dev all
   run_tests
 }

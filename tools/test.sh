@@ -16,7 +16,7 @@ if [[ "${1:-}" == --all ]]; then
 fi
 
 lock_build
-need_packages run test
+need_packages run test browser
 if ! is_configured || [[ "$(cache_value TRUELUX_BUILD_TESTS)" != ON ]]; then
   configure -DTRUELUX_BUILD_TESTS=ON
 fi

@@ -164,8 +164,9 @@ class Describer {
     }
     if (!in_detail_) return;
     std::ranges::sort(of_vertex.through);
-    const auto repeated = std::ranges::unique(of_vertex.through);
-    of_vertex.through.erase(repeated.begin(), repeated.end());
+    of_vertex.through.erase(
+        std::unique(of_vertex.through.begin(), of_vertex.through.end()),
+        of_vertex.through.end());
     const auto miss = edges.NearestTo(d);
     if (!miss) return;
     if (of_vertex.nearest && of_vertex.nearest_angle <= miss->angle) return;

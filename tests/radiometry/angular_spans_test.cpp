@@ -117,9 +117,10 @@ TEST(AngularSpanSum, HasNoOrderOfVerticesAndNoFirstSpan) {
     EXPECT_EQ(value, Evaluate(scene, query.receiver));
     std::ranges::reverse(spans.vertices);
     for (SpanVertex& v : spans.vertices) {
-      std::ranges::rotate(
-          v.spans, v.spans.begin() +
-                       random.Integer(0, static_cast<int>(v.spans.size()) - 1));
+      std::rotate(v.spans.begin(),
+                  v.spans.begin() +
+                      random.Integer(0, static_cast<int>(v.spans.size()) - 1),
+                  v.spans.end());
     }
     EXPECT_EQ(EvaluateSpans(query, spans, {}).value, value);
   }

@@ -40,7 +40,8 @@ Corners CornersOf(const Scene& scene, const Triangle& triangle) {
   const auto before = [](const Point3& a, const Point3& b) {
     return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
   };
-  std::ranges::rotate(corners, std::ranges::min_element(corners, before));
+  std::rotate(corners.begin(), std::ranges::min_element(corners, before),
+              corners.end());
   return corners;
 }
 

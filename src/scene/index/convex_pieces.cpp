@@ -111,7 +111,7 @@ class FacetPieces {
       return std::minmax({ring.front(), ring.back()}) == std::minmax({a, b});
     };
     while (!closes())
-      std::ranges::rotate(ring, ring.begin() + 1);
+      std::rotate(ring.begin(), ring.begin() + 1, ring.end());
   }
 
   [[nodiscard]] bool TurnsLeft(int a, int b, int c) const {

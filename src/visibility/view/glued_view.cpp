@@ -82,8 +82,9 @@ class Gluing {
       JoinCut(entry.second);
     for (GluedVertex& vertex : view_.vertices) {
       std::ranges::sort(vertex.around);
-      const auto rest = std::ranges::unique(vertex.around);
-      vertex.around.erase(rest.begin(), rest.end());
+      vertex.around.erase(
+          std::unique(vertex.around.begin(), vertex.around.end()),
+          vertex.around.end());
     }
     NumberRegions();
     return std::move(view_);

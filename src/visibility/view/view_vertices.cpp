@@ -184,8 +184,8 @@ WholeViewVertex ViewVertices::Describe(const GluedVertex& vertex,
     result.edges.push_back(hit.edge);
   }
   std::ranges::sort(result.edges);
-  const auto rest = std::ranges::unique(result.edges);
-  result.edges.erase(rest.begin(), rest.end());
+  result.edges.erase(std::unique(result.edges.begin(), result.edges.end()),
+                     result.edges.end());
   result.vertex.direction = ToDouble(vertex.key);
   c.Describe(vertex.on_horizon, result.vertex);
   result.bounds_source = bounds_source;

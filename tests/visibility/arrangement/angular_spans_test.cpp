@@ -59,7 +59,7 @@ std::vector<int> Labels(const SpanVertex& vertex, int first) {
   std::vector<int> labels;
   for (const AngularSpan& span : vertex.spans)
     labels.push_back(span.facet);
-  std::ranges::rotate(labels, std::ranges::find(labels, first));
+  std::rotate(labels.begin(), std::ranges::find(labels, first), labels.end());
   return labels;
 }
 

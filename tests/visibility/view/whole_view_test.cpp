@@ -257,7 +257,7 @@ TEST(WholeView, DoesNotDependOnTheOrderOfFacesAndCorners) {
     const Receiver receiver = RandomReceiver(random, lattice);
     std::vector<TestFace> other(faces.rbegin(), faces.rend());
     for (TestFace& face : other)
-      std::ranges::rotate(face.ring, face.ring.begin() + 1);
+      std::rotate(face.ring.begin(), face.ring.begin() + 1, face.ring.end());
     std::vector<int> names;
     std::vector<int> other_names;
     for (int k = 1; k <= static_cast<int>(faces.size()); ++k) {

@@ -32,11 +32,11 @@ struct Statistics {
 
   std::uint64_t evaluated_double = 0;          ///< receivers ended by double
   std::uint64_t evaluated_double_double = 0;   ///< .. by double-double
-  std::uint64_t evaluated_multiprecision = 0;  ///< .. by MPFR
+  std::uint64_t evaluated_multiprecision = 0;  ///< .. by Arb
   std::uint64_t evaluated_zero = 0;            ///< .. without any arc
   std::uint64_t ties = 0;                ///< channels decided by the tie rule
   std::uint64_t overflows = 0;           ///< channels too large for binary64
-  std::uint64_t max_precision_bits = 0;  ///< largest MPFR precision used
+  std::uint64_t max_precision_bits = 0;  ///< largest precision used in Arb
 
   /// Adds counts; takes the larger max_precision_bits.
   Statistics& operator+=(const Statistics& other);

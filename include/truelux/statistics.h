@@ -41,11 +41,11 @@ struct TRUELUX_EXPORT Statistics {
   // evaluation, except that Oracle::FormFactors makes one for each face.
   std::uint64_t evaluated_double = 0;          ///< in double
   std::uint64_t evaluated_double_double = 0;   ///< in double-double
-  std::uint64_t evaluated_multiprecision = 0;  ///< in MPFR
+  std::uint64_t evaluated_multiprecision = 0;  ///< in Arb
   std::uint64_t evaluated_zero = 0;            ///< without any arc: E = 0
   std::uint64_t ties = 0;                ///< channels decided by the tie rule
   std::uint64_t overflows = 0;           ///< channels too large for binary64
-  std::uint64_t max_precision_bits = 0;  ///< largest MPFR precision used [bit]
+  std::uint64_t max_precision_bits = 0;  ///< largest precision in Arb [bit]
 
   /// Adds the counts of another; takes the larger max_precision_bits.
   Statistics& operator+=(const Statistics& other);

@@ -30,7 +30,7 @@ void FindWeights(const ContourQuery& query, const Contour& contour,
 /// M is the emission of the source's face (or 1 if query.only_source is set).
 ///
 /// kCertified  the binary64 nearest to the true sum: double-double with a
-///             running bound, then MPFR with growing precision until the
+///             running bound, then Arb with growing precision until the
 ///             enclosure rounds one way; a midpoint still enclosed at 4096
 ///             bits or more is a tie and goes to even.
 /// kDouble     double with a running bound on |error|, rounded up. kAuto: where

@@ -1,5 +1,5 @@
 // The stages in order: double or double-double with a running bound, then
-// MPFR with growing precision.
+// Arb with growing precision.
 
 #include "radiometry/evaluate_weighted.h"
 

@@ -4,7 +4,7 @@
 #   cmake -DBUILD=... -DSOURCE=... -DWORK=... -DCOMPILER=... -DSANITIZE=...
 #         -DLIBDIR=lib -DSHARED=... -P run_consumer.cmake
 #
-# CGAL is made unfindable: the library's users need GMP and MPFR only.
+# CGAL is made unfindable: the library's users need FLINT, GMP and MPFR only.
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()

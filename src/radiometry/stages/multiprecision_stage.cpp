@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "exact/arb_ball.h"
 #include "exact/recipe_evaluator.h"
 
 namespace truelux {
@@ -63,9 +64,49 @@ void AppendTerms(const ExactVectors& exact, const Arc& arc, bool over_ends,
   }
 }
 
-ExactSum SumOf(const WeightedContour& contour,
-               const EvaluationQuery& evaluation,
-               const std::vector<bool>& on_horizon) {
+/// |N| and n.N / (|n| |N|) at one precision.
+struct BallPlane {
+  ArbBall length;
+  ArbBall cosine;
+};
+
+BallPlane PlaneOf(const ExactPlane& plane, slong precision) {
+  BallPlane balls{ArbBall(precision, plane.normal_square),
+                  ArbBall(precision, plane.both_squares)};
+  arb_sqrt(balls.length.get(), balls.length.get(), precision);
+  arb_sqrt(balls.cosine.get(), balls.cosine.get(), precision);
+  const ArbBall part(precision, plane.cosine_part);
+  arb_div(balls.cosine.get(), part.get(), balls.cosine.get(), precision);
+  return balls;
+}
+
+ArbBall SumOfTerms(const WeightedTerms& group,
+                   const std::vector<BallPlane>& planes, slong precision) {
+  ArbBall sum;
+  for (const ExactTerm& term : group.terms) {
+    const BallPlane& plane = planes[term.plane];
+    ArbBall y(precision, term.y);
+    ArbBall x(precision, term.x);
+    const arb_ptr scaled = term.length_on_y ? y.get() : x.get();
+    arb_mul(scaled, scaled, plane.length.get(), precision);
+    arb_atan2(y.get(), y.get(), x.get(), precision);
+    if (term.has_cosine) {
+      arb_mul(y.get(), y.get(), plane.cosine.get(), precision);
+    }
+    if (term.negative) {
+      arb_sub(sum.get(), sum.get(), y.get(), precision);
+    } else {
+      arb_add(sum.get(), sum.get(), y.get(), precision);
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+ExactSum ExactSumOf(const WeightedContour& contour,
+                    const EvaluationQuery& evaluation,
+                    const std::vector<bool>& on_horizon) {
   const ExactVectors exact = EvaluateExactly(contour);
   const Vec3<Exact>& n = exact.receiver_normal;
   const Exact n_square = Dot(n, n);
@@ -90,94 +131,41 @@ ExactSum SumOf(const WeightedContour& contour,
   return sum;
 }
 
-}  // namespace
-
-MultiprecisionStage::MultiprecisionStage(ExactSum sum, Emission emission)
-    : sum_(std::move(sum)), emission_(emission) {
-  for (const WeightedTerms& group : sum_.groups) {
-    term_count_ += group.terms.size();
-  }
-}
-
 MultiprecisionStage::MultiprecisionStage(const WeightedContour& contour,
                                          const EvaluationQuery& evaluation,
                                          const std::vector<bool>& on_horizon)
-    : MultiprecisionStage(SumOf(contour, evaluation, on_horizon),
+    : MultiprecisionStage(ExactSumOf(contour, evaluation, on_horizon),
                           evaluation.emission) {}
-
-MultiprecisionStage::Sum MultiprecisionStage::SumOfTerms(
-    const WeightedTerms& group, const std::vector<RoundedPlane>& planes,
-    mpfr_prec_t precision) {
-  Sum sum{Multiprecision(precision), Multiprecision(precision)};
-  for (const ExactTerm& term : group.terms) {
-    const RoundedPlane& plane = planes[term.plane];
-    Multiprecision y(precision, term.y);
-    Multiprecision x(precision, term.x);
-    const mpfr_ptr scaled = term.length_on_y ? y.get() : x.get();
-    mpfr_mul(scaled, scaled, plane.length.get(), MPFR_RNDN);
-    mpfr_atan2(y.get(), y.get(), x.get(), MPFR_RNDN);
-    if (term.has_cosine) {
-      mpfr_mul(y.get(), y.get(), plane.cosine.get(), MPFR_RNDN);
-    }
-    if (term.negative) mpfr_neg(y.get(), y.get(), MPFR_RNDN);
-    mpfr_add(sum.value.get(), sum.value.get(), y.get(), MPFR_RNDN);
-    mpfr_abs(y.get(), y.get(), MPFR_RNDN);
-    mpfr_add(sum.magnitude.get(), sum.magnitude.get(), y.get(), MPFR_RNDU);
-  }
-  return sum;
-}
-
-void MultiprecisionStage::ToIrradiance(mpfr_prec_t precision, Multiprecision& x,
-                                       mpfr_rnd_t rounding) const {
-  // E = (M / 2 pi) sum, and M = pi L.
-  if (emission_ == Emission::kExitance) {
-    Multiprecision pi(precision);
-    mpfr_const_pi(pi.get(), rounding == MPFR_RNDU ? MPFR_RNDD : rounding);
-    mpfr_div(x.get(), x.get(), pi.get(), rounding);
-  }
-  mpfr_div_2ui(x.get(), x.get(), 1, rounding);
-}
 
 std::array<Enclosure, 3> MultiprecisionStage::Evaluate(
     mpfr_prec_t precision) const {
-  std::vector<RoundedPlane> planes;
+  std::vector<BallPlane> planes;
   planes.reserve(sum_.planes.size());
   for (const ExactPlane& plane : sum_.planes) {
-    RoundedPlane rounded{Multiprecision(precision, plane.normal_square),
-                         Multiprecision(precision, plane.both_squares)};
-    mpfr_sqrt(rounded.length.get(), rounded.length.get(), MPFR_RNDN);
-    mpfr_sqrt(rounded.cosine.get(), rounded.cosine.get(), MPFR_RNDN);
-    const Multiprecision part(precision, plane.cosine_part);
-    mpfr_div(rounded.cosine.get(), part.get(), rounded.cosine.get(), MPFR_RNDN);
-    planes.push_back(std::move(rounded));
+    planes.push_back(PlaneOf(plane, precision));
   }
-  std::vector<Sum> sums;
+  std::vector<ArbBall> sums;
   sums.reserve(sum_.groups.size());
   for (const WeightedTerms& group : sum_.groups) {
     sums.push_back(SumOfTerms(group, planes, precision));
   }
-  const auto count = static_cast<double>(term_count_ + sum_.groups.size() + 16);
   const auto channel_enclosure = [&](std::size_t channel) {
-    Multiprecision value(precision);
-    Multiprecision error(precision);
-    Multiprecision product(precision);
+    ArbBall value;
     for (std::size_t i = 0; i < sums.size(); ++i) {
       if (sum_.groups[i].weight[channel].is_zero()) continue;
-      Multiprecision weight(precision, sum_.groups[i].weight[channel]);
-      mpfr_mul(product.get(), sums[i].value.get(), weight.get(), MPFR_RNDN);
-      mpfr_add(value.get(), value.get(), product.get(), MPFR_RNDN);
-      mpfr_abs(weight.get(), weight.get(), MPFR_RNDN);
-      mpfr_mul(product.get(), sums[i].magnitude.get(), weight.get(), MPFR_RNDU);
-      mpfr_add(error.get(), error.get(), product.get(), MPFR_RNDU);
+      const ArbBall weight(precision, sum_.groups[i].weight[channel]);
+      arb_addmul(value.get(), sums[i].get(), weight.get(), precision);
     }
-    ToIrradiance(precision, value, MPFR_RNDN);
-    ToIrradiance(precision, error, MPFR_RNDU);
-    mpfr_mul_d(error.get(), error.get(), count, MPFR_RNDU);
-    mpfr_div_2ui(error.get(), error.get(),
-                 static_cast<unsigned long>(precision), MPFR_RNDU);
-    Enclosure enclosure{value, value};
-    mpfr_sub(enclosure.lower.get(), value.get(), error.get(), MPFR_RNDD);
-    mpfr_add(enclosure.upper.get(), value.get(), error.get(), MPFR_RNDU);
+    // E = (M / 2 pi) sum, and M = pi L.
+    if (emission_ == Emission::kExitance) {
+      ArbBall pi;
+      arb_const_pi(pi.get(), precision);
+      arb_div(value.get(), value.get(), pi.get(), precision);
+    }
+    arb_mul_2exp_si(value.get(), value.get(), -1);
+    Enclosure enclosure{Multiprecision(precision), Multiprecision(precision)};
+    arb_get_interval_mpfr(enclosure.lower.get(), enclosure.upper.get(),
+                          value.get());
     return enclosure;
   };
   return {channel_enclosure(0), channel_enclosure(1), channel_enclosure(2)};

@@ -16,7 +16,7 @@ namespace truelux {
 /// equation (9)), per channel, with H of docs/method.md (11) and (12) for F.
 /// M: WeightOf a source; 0 for all else.
 ///
-/// The result is the binary64 nearest to the true sum, found in MPFR with
+/// The result is the binary64 nearest to the true sum, found in Arb with
 /// growing precision as in EvaluateContour, also with Method::kDouble; the
 /// bound is half the distance to the farther neighbour. Of `evaluation` only
 /// the emission counts.

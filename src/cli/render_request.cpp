@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "truelux/io.h"
+#include "truelux/version.h"
 
 #include "cli/option_values.h"
 #include "cli/oracle_arguments.h"

@@ -13,6 +13,7 @@
 #include "truelux/irradiance.h"
 
 #include "base/pool.h"
+#include "base/receiver_block.h"
 #include "radiometry/evaluate.h"
 #include "radiometry/evaluation_workspace.h"
 #include "radiometry/formula_sum.h"
@@ -49,9 +50,6 @@ void RequireReceiver(const Receiver& receiver, const Scene& scene) {
   }
   RequireFace(receiver.on_face, 0, scene, "on_face");
 }
-
-/// Consecutive receivers that share where their blockers are.
-constexpr std::size_t kBlockSize = 16;
 
 /// What one thread needs for one receiver after the other.
 struct Workspace {
@@ -135,9 +133,9 @@ void Oracle::Evaluate(
                     options_.formula == Formula::kAuto;
   ContourQuery query{scene_, {}, 0, join};
   for (std::size_t i = 0; i < receivers.size(); ++i) {
-    if (i % kBlockSize == 0) {
+    if (i % kReceiverBlock == 0) {
       workspace->builder.StartBlock(
-          receivers.subspan(i, std::min(kBlockSize, receivers.size() - i)));
+          receivers.subspan(i, std::min(kReceiverBlock, receivers.size() - i)));
     }
     query.receiver = receivers[i];
     take(i, Answer(query, options_.engine, evaluation, *workspace));

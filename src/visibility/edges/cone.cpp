@@ -93,8 +93,7 @@ Cone ConeMaker<Geometry>::Whole(int piece) {
 }
 
 /// The part of a piece's cone where a linear function is >= 0. sides: the
-/// function's signs at the corners, at least one positive and one negative; zero
-/// where there is no corner.
+/// function's signs at the corners, at least one positive and one negative.
 /// cut: id of the plane where the function is 0, normal to the positive side.
 /// crossing(p, q): id of the direction where the edge between corner p
 /// (positive) and corner q (negative) meets the cut.

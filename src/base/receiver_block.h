@@ -8,7 +8,7 @@
 namespace truelux {
 
 /// The side of a block, where receivers lie in rows and columns (an image).
-inline constexpr std::size_t kReceiverBlockSide = 4;
+inline constexpr int kReceiverBlockSide = 4;
 
 /// Consecutive receivers of one Oracle::Evaluate call that share what is found
 /// out about where their blockers can be: per source, one narrowing of the
@@ -20,7 +20,7 @@ inline constexpr std::size_t kReceiverBlockSide = 4;
 /// leaves out, and threads, progress and Ctrl-C wait for whole shares. Results
 /// do not depend on it; only the numbers of predicates do.
 inline constexpr std::size_t kReceiverBlock =
-    kReceiverBlockSide * kReceiverBlockSide;
+    std::size_t{kReceiverBlockSide} * kReceiverBlockSide;
 
 }  // namespace truelux
 

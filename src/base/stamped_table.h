@@ -41,6 +41,17 @@ class StampedTable {
     ++stamp_;
   }
 
+  /// The value of a key; null if the key is not set, or if there is no room for
+  /// it yet.
+  [[nodiscard]] T* Find(int key) {
+    assert(key >= 0);
+    const auto index = static_cast<std::size_t>(key);
+    if (index >= entries_.size() || entries_[index].stamp != stamp_) {
+      return nullptr;
+    }
+    return &entries_[index].value;
+  }
+
   /// Whether a key is set. Requires room for it, as all that follows.
   [[nodiscard]] bool Has(int key) const { return At(key).stamp == stamp_; }
 

@@ -4,10 +4,12 @@
 #ifndef TRUELUX_EXACT_CROSSING_H_
 #define TRUELUX_EXACT_CROSSING_H_
 
+#include <cassert>
 #include <cmath>
 #include <optional>
 
 #include "exact/filter.h"
+#include "exact/rounding.h"
 #include "exact/sign.h"
 
 namespace truelux {
@@ -38,6 +40,7 @@ struct Crossing {
 /// three times (s, 1/s, the product), each by kDirectedUnit: 4 kDirectedUnit covers them.
 /// Requires RoundUpward; an infinite or NaN error tells nothing.
 inline Crossing MakeCrossing(int plane, const Side& from, const Side& to) {
+  assert(IsRoundingUpward());
   const double f = std::fabs(from.value.value);
   const double g = std::fabs(to.value.value);
   const double e_f = from.value.error;
@@ -56,6 +59,7 @@ inline Crossing MakeCrossing(int plane, const Side& from, const Side& to) {
 /// Order along the edge, negative if a comes first, if the errors allow one;
 /// never zero. Requires RoundUpward.
 inline std::optional<Sign> TryOrder(const Crossing& a, const Crossing& b) {
+  assert(IsRoundingUpward());
   const double error = a.error + b.error;
   // Rounded up: what is negative with the error added is so in truth.
   if (a.parameter - b.parameter + error < 0) return Sign::kNegative;

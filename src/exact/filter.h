@@ -9,12 +9,14 @@
 #define TRUELUX_EXACT_FILTER_H_
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
 #include "truelux/geometry.h"
 
 #include "exact/number.h"
+#include "exact/rounding.h"
 #include "exact/sign.h"
 #include "exact/vec3.h"
 
@@ -66,6 +68,7 @@ struct ApproxVector {
 
 /// Midpoint and radius of an interval vector. Requires RoundUpward.
 inline ApproxVector Approximate(const Vec3<Interval>& v) {
+  assert(IsRoundingUpward());
   ApproxVector a;
   const auto midpoint = [&a](const Interval& c) {
     const double m = c.inf() + (c.sup() - c.inf()) * 0.5;
@@ -91,6 +94,7 @@ inline FilteredDirection MakeFilteredDirection(const ApproxVector& v) {
 
 /// b - a, each component rounded once. Requires RoundUpward.
 inline FilteredDirection FilteredDifference(const Point3& a, const Point3& b) {
+  assert(IsRoundingUpward());
   FilteredDirection d =
       MakeFilteredDirection({b.x - a.x, b.y - a.y, b.z - a.z, 0});
   // A negative overflow is rounded up to -DBL_MAX: no infinity warns of it.
@@ -103,6 +107,7 @@ inline FilteredDirection FilteredDifference(const Point3& a, const Point3& b) {
 /// difference is rounded by 2 kDirectedUnit m (1 + kDirectedUnit) more. Requires RoundUpward.
 inline ApproxVector FilteredCross(const FilteredDirection& u,
                                   const FilteredDirection& e) {
+  assert(IsRoundingUpward());
   const double m = u.max * e.max;
   const double error =
       2 * (u.max * e.v.error + e.max * u.v.error + u.v.error * e.v.error) +
@@ -125,6 +130,7 @@ struct FilteredPlane {
 
 /// Requires RoundUpward.
 inline FilteredPlane MakeFilteredPlane(const ApproxVector& v) {
+  assert(IsRoundingUpward());
   const double sum = std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z);
   return {v, sum * kDotFactor + 3 * v.error, sum + 3 * v.error};
 }
@@ -132,6 +138,7 @@ inline FilteredPlane MakeFilteredPlane(const ApproxVector& v) {
 /// Requires RoundUpward.
 inline BoundedValue FilteredDot(const FilteredPlane& p,
                                 const FilteredDirection& d) {
+  assert(IsRoundingUpward());
   const double error = d.max * p.a + d.v.error * p.b + kDotFloor;
   return {p.v.x * d.v.x + p.v.y * d.v.y + p.v.z * d.v.z,
           error < kNoDotOverflow ? error : HUGE_VAL};

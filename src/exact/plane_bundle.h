@@ -5,6 +5,7 @@
 #define TRUELUX_EXACT_PLANE_BUNDLE_H_
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include "exact/crossing.h"
 #include "exact/filter.h"
 #include "exact/lanes.h"
+#include "exact/rounding.h"
 #include "exact/sign.h"
 
 namespace truelux {
@@ -46,6 +48,7 @@ class PlaneBundle {
 
   /// Adds a plane with its id.
   void Add(const FilteredPlane& plane, int id) {
+    assert(size_ < BundleSides::kMaxPlanes);
     Quad& quad = quads_[size_ / kLanes];
     const std::size_t lane = size_ % kLanes;
     if (lane == 0) quad = Quad{};
@@ -69,6 +72,7 @@ class PlaneBundle {
   /// Requires RoundUpward.
   template <bool kFiltered>
   void Filter(const FilteredDirection& d, BundleSides& sides) const {
+    assert(IsRoundingUpward());
     sides.complete = false;
     FilterQuad<kFiltered>(0, d, sides);
     if (size_ <= kLanes) return;

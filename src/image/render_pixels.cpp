@@ -8,15 +8,16 @@
 #include <utility>
 #include <vector>
 
+#include "base/receiver_block.h"
 #include "run/interrupt.h"
 #include "run/parallel.h"
 
 namespace truelux {
 namespace {
 
-/// A side of the square tiles that are handed to the oracle, which shares what
-/// it finds about blockers between 16 consecutive receivers.
-constexpr int kTile = 4;
+/// A side of the square tiles that are handed to the oracle: a whole tile is
+/// one block of receivers.
+constexpr int kTile = kReceiverBlockSide;
 
 /// The pixels of one tile that have receivers.
 struct Tile {

@@ -11,6 +11,7 @@
 
 #include "truelux/irradiance.h"
 
+#include "base/receiver_block.h"
 #include "radiometry/evaluate.h"
 #include "radiometry/form_factors.h"
 #include "radiometry/formula_sum.h"
@@ -61,8 +62,6 @@ void RequireReceivers(std::span<const Receiver> receivers, const Scene& scene) {
   }
 }
 
-/// Consecutive receivers that share where their blockers are.
-constexpr std::size_t kBlockSize = 16;
 
 void BuildContour(const ContourQuery& query, Engine engine,
                   OracleWorkspace& workspace) {
@@ -125,9 +124,9 @@ void Oracle::Evaluate(
                     options_.formula == Formula::kAuto;
   ContourQuery query{scene(), {}, 0, join};
   for (std::size_t i = 0; i < receivers.size(); ++i) {
-    if (i % kBlockSize == 0) {
+    if (i % kReceiverBlock == 0) {
       workspace->builder.StartBlock(
-          receivers.subspan(i, std::min(kBlockSize, receivers.size() - i)));
+          receivers.subspan(i, std::min(kReceiverBlock, receivers.size() - i)));
     }
     query.receiver = receivers[i];
     take(i, Answer(query, options_.engine, evaluation, *workspace));

@@ -6,17 +6,10 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "base/receiver_block.h"
 #include "run/interrupt.h"
 
 namespace truelux {
-namespace {
-
-/// Consecutive receivers that one thread evaluates, so that the oracle can use
-/// that they are often near each other; few enough for all threads to have
-/// some.
-constexpr std::size_t kShare = 16;
-
-}  // namespace
 
 int DefaultThreads() {
   return std::min(kMaxThreads, tbb::info::default_concurrency());
@@ -54,10 +47,13 @@ void EvaluateShares(
     const Oracle& oracle, std::span<const Receiver> receivers,
     Progress& progress,
     const std::function<void(std::size_t, const Irradiance&)>& take) {
-  const std::size_t share_count = (receivers.size() + kShare - 1) / kShare;
+  // One block of the oracle's after the other.
+  const std::size_t share_count =
+      (receivers.size() + kReceiverBlock - 1) / kReceiverBlock;
   tbb::parallel_for(std::size_t{0}, share_count, [&](std::size_t share) {
-    const std::size_t first = share * kShare;
-    const std::size_t count = std::min(kShare, receivers.size() - first);
+    const std::size_t first = share * kReceiverBlock;
+    const std::size_t count =
+        std::min(kReceiverBlock, receivers.size() - first);
     StopIfInterrupted();
     oracle.Evaluate(receivers.subspan(first, count),
                     [&](std::size_t i, const Irradiance& irradiance) {

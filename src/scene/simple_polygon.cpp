@@ -1,7 +1,9 @@
 #include "scene/simple_polygon.h"
 
+#include <cassert>
 #include <optional>
 
+#include "exact/rounding.h"
 #include "exact/sign.h"
 
 namespace truelux {
@@ -39,6 +41,7 @@ bool SegmentsMeet(const ProjectedRing& ring, int a, int b, int c, int d) {
 }  // namespace
 
 std::optional<BoundaryContact> FindContact(const ProjectedRing& ring) {
+  assert(IsRoundingUpward());
   const int n = ring.size();
   const auto next = [n](int i) { return i + 1 < n ? i + 1 : 0; };
   // Neighbours first: it also rules out edges whose image is a point.

@@ -1,10 +1,13 @@
 #include "scene/triangulation.h"
 
+#include <cassert>
 #include <cstddef>
 #include <stdexcept>
 #include <vector>
 
+#include "exact/rounding.h"
 #include "exact/sign.h"
+#include "scene/simple_polygon.h"
 
 namespace truelux {
 namespace {
@@ -104,6 +107,8 @@ class EarClipper {
 
 void Triangulate(const ProjectedRing& ring,
                  std::vector<RingTriangle>& triangles) {
+  assert(IsRoundingUpward());
+  assert(!FindContact(ring));
   triangles.clear();
   if (TryFan(ring, triangles)) return;
   triangles.clear();

@@ -12,6 +12,7 @@
 
 #include "truelux/irradiance.h"
 
+#include "base/receiver_block.h"
 #include "baselines/timing.h"
 #include "explain/receiver_reason.h"
 #include "run/announce.h"
@@ -22,10 +23,6 @@
 
 namespace truelux {
 namespace {
-
-/// Consecutive receivers that a method is given at once, as in truelux eval;
-/// the program can be interrupted in between.
-constexpr std::size_t kBlock = 16;
 
 /// 0 .. count - 1 in an order whose every beginning is spread over the whole:
 /// van der Corput's, by reversed bits.
@@ -133,7 +130,9 @@ class Entry {
   }
 
   const Contender& method_;
-  std::size_t block_size_ = kBlock;
+  /// Consecutive receivers that the method is given at once, as in truelux
+  /// eval; the program can be interrupted in between.
+  std::size_t block_size_ = kReceiverBlock;
   std::vector<std::size_t> indices_;  ///< of the receivers, in the comparison
   std::vector<Receiver> receivers_;
   std::vector<double> rounds_;  ///< microseconds a receiver

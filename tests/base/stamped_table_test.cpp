@@ -67,6 +67,17 @@ TEST(StampedTable, GrowingKeepsWhatIsSetAndSetsNothing) {
   EXPECT_EQ(table[99], 6);
 }
 
+TEST(StampedTable, FindsWhatIsSetAndNothingElse) {
+  StampedTable<int> table(2);
+  table.Set(1, 5);
+  ASSERT_NE(table.Find(1), nullptr);
+  EXPECT_EQ(*table.Find(1), 5);
+  EXPECT_EQ(table.Find(0), nullptr);
+  EXPECT_EQ(table.Find(2), nullptr);  // no room
+  table.Clear();
+  EXPECT_EQ(table.Find(1), nullptr);
+}
+
 TEST(StampedTable, WhatWasAddedAfterAClearIsNotSet) {
   StampedTable<int> table(1);
   table.Clear();

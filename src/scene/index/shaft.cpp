@@ -1,10 +1,12 @@
 #include "scene/index/shaft.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
 #include "exact/lanes.h"
+#include "exact/rounding.h"
 
 namespace truelux {
 namespace {
@@ -93,6 +95,8 @@ std::vector<int> VerticesOf(std::span<const Triangle> facet) {
 
 ShaftSource::ShaftSource(std::span<const Point3> vertices,
                          std::span<const Triangle> facet) {
+  assert(IsRoundingUpward());
+  assert(!facet.empty());
   for (const int vertex : VerticesOf(facet)) {
     const Point3& p = vertices[static_cast<std::size_t>(vertex)];
     points_.push_back({p.x, p.y, p.z});
@@ -167,6 +171,7 @@ void ShaftSource::SetEdges(const Vector& normal) {
 Shaft::Shaft(const ShaftSource& source, const Box& receivers,
              const std::optional<Vector3>& normal)
     : box_(source.box_) {
+  assert(IsRoundingUpward());
   box_.Include(receivers);
   AddSides(source, receivers);
   if (!AxisOf(source.normal_)) AddSourcePlane(source, receivers);
@@ -177,6 +182,7 @@ void Shaft::Add(const Vector& normal, double least) {
   const auto row = [](double component, std::size_t axis) {
     return component > 0 ? axis + 3 : axis;
   };
+  assert(count_ < half_spaces_.size());
   half_spaces_[count_++] = {
       normal, least, {row(normal.x, 0), row(normal.y, 1), row(normal.z, 2)}};
 }
@@ -224,6 +230,7 @@ void Shaft::AddHorizon(const Box& receivers, const Vector& normal) {
 }
 
 unsigned Shaft::Kept(const FourBoxes& boxes) const {
+  assert(IsRoundingUpward());
   LaneFlags outside{0, 0, 0, 0};
   Lanes x;
   Lanes y;

@@ -1,8 +1,11 @@
 #include "scene/index/triangle_tree.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
+
+#include "exact/rounding.h"
 
 namespace truelux {
 namespace {
@@ -250,6 +253,7 @@ TriangleTree::TriangleTree(std::span<const Point3> vertices,
     : TriangleTree(BoxesOf(vertices, triangles)) {}
 
 void TriangleTree::Narrow(const Shaft& block, TreeCut& cut) const {
+  assert(IsRoundingUpward());
   cut.parts_.clear();
   if (!nodes_.empty()) cut.parts_.push_back({0, true});
   // Level by level. Parts in the place of their node keep the order of a

@@ -5,6 +5,7 @@
 #define TRUELUX_SCENE_INDEX_TRIANGLE_TREE_H_
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -13,6 +14,7 @@
 #include "truelux/geometry.h"
 #include "truelux/scene.h"
 
+#include "exact/rounding.h"
 #include "scene/index/box.h"
 #include "scene/index/shaft.h"
 
@@ -111,12 +113,14 @@ class TriangleTree {
 
 template <class Region, class Function>
 void TriangleTree::Visit(const Region& region, Function&& visit) const {
+  assert(IsRoundingUpward());
   if (!nodes_.empty()) VisitBelow(region, 0, visit);
 }
 
 template <class Function>
 void TriangleTree::Visit(const Shaft& shaft, const TreeCut& cut,
                          Function&& visit) const {
+  assert(IsRoundingUpward());
   for (const TreeCut::Part& part : cut.parts_) {
     if (part.whole) {
       VisitBelow(shaft, part.node, visit);

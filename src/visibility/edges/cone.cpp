@@ -1,5 +1,6 @@
 #include "visibility/edges/cone.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <utility>
@@ -100,6 +101,8 @@ template <class Geometry>
 template <class MakeCrossing>
 Cone ConeMaker<Geometry>::Clip(int piece, const CornerSigns& sides, int cut,
                                const MakeCrossing& crossing) {
+  assert(std::ranges::count(sides, Sign::kPositive) > 0);
+  assert(std::ranges::count(sides, Sign::kNegative) > 0);
   const Cone whole = Whole(piece);
   const bool forward = ReceiverSide(piece) == Sign::kPositive;
   // The piece's corner at position k of the cone.
@@ -158,6 +161,7 @@ std::optional<Cone> ConeMaker<Geometry>::AboveHorizon(int piece) {
 template <class Geometry>
 Cone ConeMaker<Geometry>::InFrontOf(int source, int piece,
                                     const CornerSigns& sides) {
+  assert(ReceiverSide(piece) != Sign::kZero);
   const Piece& p = pieces_.pieces()[Index(piece)];
   const auto corners = pieces_.CornersOf(p);
   // c = sign(h_T) (h_T N_S - h_S N_T), method.md eq. (5): c . d > 0 where the

@@ -1,6 +1,18 @@
 // Pointed convex cones with apex r: a piece of the scene as seen from the
 // receiver, or the part of it above the horizon or in front of a source's
 // plane.
+//
+// Notation, in this folder as in docs/method.md:
+//   r, n     the receiver's position and normal
+//   d, u, v  directions from r, of any length; an edge runs from u to v
+//   N        normal of a plane through r; the plane's positive side: N . d > 0
+//   h        h_t = N_t . (t0 - r), < 0 where r is in front of triangle t
+//   S        the source
+//   face     a polygon of the scene, with a number; emits and hides
+//   facet    what of a face lies in one plane (one facet, if it is planar)
+//   piece    a convex polygon: a facet or some of it (scene/index)
+//   cone     a piece, or some of it, as seen from r
+//   part     a cone whose edges have numbers as candidates
 
 #ifndef TRUELUX_VISIBILITY_EDGES_CONE_H_
 #define TRUELUX_VISIBILITY_EDGES_CONE_H_
@@ -45,7 +57,8 @@ struct Cone {
   }
 };
 
-/// The signs of some function at the corners of a piece, in the piece's order.
+/// The signs of some function at the corners of a piece, in the piece's order;
+/// zero in the places of an array that the piece has no corners for.
 using CornerSigns = std::array<Sign, ConvexPieces::kMaxCorners>;
 
 /// Makes cones, and keeps what belongs to a piece for one receiver.

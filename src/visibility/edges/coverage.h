@@ -1,5 +1,5 @@
 // What cones do along one edge: the interval of the edge inside each cone, and
-// on which side.
+// on which side. Notation: cone.h; the edge's plane has the normal N.
 
 #ifndef TRUELUX_VISIBILITY_EDGES_COVERAGE_H_
 #define TRUELUX_VISIBILITY_EDGES_COVERAGE_H_

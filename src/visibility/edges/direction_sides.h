@@ -33,19 +33,20 @@ class DirectionSides {
   /// The complete sides of a direction to the planes of the bundle. The
   /// reference is valid until SetBundle, whatever is asked in between.
   BundleSides& Of(int direction) {
-    by_direction_.Cover(static_cast<std::size_t>(direction) + 1);
-    return *by_direction_.FindOrMake(
-        direction, [this, direction] { return MakeSides(direction); });
+    BundleSides* const* const found = by_direction_.Find(direction);
+    return found != nullptr ? **found : MakeSides(direction);
   }
 
  private:
-  BundleSides* MakeSides(int direction) {
+  BundleSides& MakeSides(int direction) {
     if (used_ == storage_.size()) {
       storage_.push_back(std::make_unique<BundleSides>());
     }
-    BundleSides* const sides = storage_[used_++].get();
-    geometry_.FilterSides(bundle_, direction, *sides);
-    geometry_.CompleteSides(bundle_, direction, *sides);
+    BundleSides& sides = *storage_[used_++];
+    geometry_.FilterSides(bundle_, direction, sides);
+    geometry_.CompleteSides(bundle_, direction, sides);
+    by_direction_.Cover(static_cast<std::size_t>(geometry_.direction_count()));
+    by_direction_.Set(direction, &sides);
     return sides;
   }
 

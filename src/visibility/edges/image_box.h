@@ -5,11 +5,13 @@
 #define TRUELUX_VISIBILITY_EDGES_IMAGE_BOX_H_
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
 #include "exact/filter.h"
 #include "exact/lanes.h"
+#include "exact/rounding.h"
 
 namespace truelux {
 
@@ -22,7 +24,9 @@ class ImageBox {
   /// Requires RoundUpward.
   ImageBox(double x_min, double x_max, double y_min, double y_max)
       : lo_{x_min, y_min, -(-x_min - y_min), -(y_max - x_min)},
-        hi_{x_max, y_max, x_max + y_max, x_max - y_min} {}
+        hi_{x_max, y_max, x_max + y_max, x_max - y_min} {
+    assert(IsRoundingUpward());
+  }
 
   [[nodiscard]] double x_min() const { return lo_[0]; }
 
@@ -94,6 +98,7 @@ class ImageChart {
   ///
   /// misses: whether the direction certainly never meets the source's plane.
   [[nodiscard]] ImageBox Of(const FilteredDirection& d, bool& misses) const {
+    assert(IsRoundingUpward());
     const BoundedValue depth = FilteredDot(away_, d);
     misses = -depth.value > depth.error;
     if (!(depth.error * 4 <= depth.value)) return {};

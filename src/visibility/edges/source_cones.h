@@ -52,7 +52,8 @@ class SourceCones {
     return is_source_.Contains(piece);
   }
 
-  /// Whether a facet is known, without arithmetic, to lie in the source's plane.
+  /// Whether a facet is known, without arithmetic, to lie in the plane of the
+  /// source.
   [[nodiscard]] bool IsCoplanar(int facet) const {
     return pieces_.PlaneNumber(facet) == pieces_.PlaneNumber(facet_);
   }

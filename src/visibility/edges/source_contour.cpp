@@ -153,8 +153,8 @@ std::uint32_t SourceContour<Geometry>::StartEdges(const Owner& owner) {
   return open;
 }
 
-/// Takes what blocker p hides from the open edges of a part; closes those of
-/// which nothing is left. False if none is.
+/// Takes what blocker p hides from the open edges of a part, and closes the
+/// edges that are hidden completely. False if no edge is open any more.
 template <class Geometry>
 bool SourceContour<Geometry>::Hide(const Owner& owner, std::size_t p,
                                    std::uint32_t& open) {
@@ -203,11 +203,12 @@ void SourceContour<Geometry>::AddArc(const Owner& owner, std::size_t k,
                     owner.is_blocker ? kNoEdge : cone.edges[k]});
 }
 
-/// The arcs on the edges of a part. Exactly one side of an edge can see the source, so that what
-/// is visible is what the blockers leave of that side: a blocker hides the side
-/// on which it is; an edge of a source bounds the polygon or is left out as a
-/// diagonal, and other cones of a simple polygon, clipped or not, do not reach
-/// it.
+/// Finds the arcs on the edges of a part. Each candidate has exactly one side
+/// that can be source. A blocker hides the side on which it lies. An edge of
+/// the source bounds the polygon, or is a diagonal and not a candidate; the
+/// other cones of a simple polygon, clipped or not, do not reach it. Blockers
+/// remove intervals from the side that can be source, and what remains becomes
+/// arcs.
 template <class Geometry>
 void SourceContour<Geometry>::SweepPart(const Owner& owner) {
   cones_.Complete(owner.part->cone);

@@ -1,4 +1,11 @@
 // The visible contour of one source from one receiver (method.md, section 4).
+//
+// Notation, besides that of cone.h:
+//   candidate  an edge of a part, on which arcs of the contour may lie
+//   owner      the part whose edges are swept; where candidates coincide, only
+//              the one with the least number owns the arcs
+//   cover      the interval of a candidate that lies inside a cone
+//   diagonal   an edge with the source on both sides: not a candidate
 
 #ifndef TRUELUX_VISIBILITY_EDGES_SOURCE_CONTOUR_H_
 #define TRUELUX_VISIBILITY_EDGES_SOURCE_CONTOUR_H_

@@ -11,6 +11,7 @@ void SourcePlane<Geometry>::Start(int triangle) {
 
 template <class Geometry>
 auto SourcePlane<Geometry>::MakeEntry(int direction) -> Entry& {
+  entries_.Cover(static_cast<std::size_t>(geometry_.direction_count()));
   Entry& entry = entries_.Renew(direction);
   entry.box = chart_.Of(geometry_.DirectionFilter(direction), entry.misses);
   entry.side = CachedSign();

@@ -62,8 +62,8 @@ class SourcePlane {
 
   /// Valid until EntryOf another direction: stays inside this class.
   Entry& EntryOf(int direction) {
-    entries_.Cover(static_cast<std::size_t>(direction) + 1);
-    return entries_.Has(direction) ? entries_[direction] : MakeEntry(direction);
+    Entry* const entry = entries_.Find(direction);
+    return entry != nullptr ? *entry : MakeEntry(direction);
   }
 
   Entry& MakeEntry(int direction);

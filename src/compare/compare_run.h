@@ -1,0 +1,30 @@
+// From a scene and a candidate to everything that a report says.
+
+#ifndef TRUELUX_COMPARE_COMPARE_RUN_H_
+#define TRUELUX_COMPARE_COMPARE_RUN_H_
+
+#include "truelux/scene.h"
+
+#include "compare/candidate_errors.h"
+#include "compare/candidate_report.h"
+#include "compare/mistake_trial.h"
+
+namespace truelux {
+
+/// How a candidate is compared.
+struct CompareOptions {
+  TruthOptions truth{};
+  double tolerance = 0;  ///< the largest relative error that passes
+  int threads = 1;
+};
+
+/// Finds the truth, the errors, the worst receivers and, if a receiver fails,
+/// the reason. scene: as it was read. data: without the truth, see
+/// LoadCandidate. The names in the report are left empty. Throws Interruption.
+[[nodiscard]] CandidateReport CompareCandidate(const Scene& scene,
+                                               CandidateData data,
+                                               const CompareOptions& options);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_COMPARE_COMPARE_RUN_H_

@@ -152,6 +152,8 @@ class IdVector {
 
   [[nodiscard]] auto end() const { return values_.end(); }
 
+  [[nodiscard]] ConstReference front() const { return values_.front(); }
+
   Reference back() { return values_.back(); }
 
   [[nodiscard]] ConstReference back() const { return values_.back(); }

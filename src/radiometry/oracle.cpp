@@ -133,7 +133,7 @@ void Oracle::Evaluate(
   // A formula by name needs the whole contour of every source.
   const bool join = options_.method == Method::kCertified ||
                     options_.formula == Formula::kAuto;
-  ContourQuery query{scene_, {}, 0, join};
+  ContourQuery query{scene_, {}, {}, join};
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     if (i % kBlockSize == 0) {
       workspace->builder.StartBlock(
@@ -174,7 +174,7 @@ std::optional<Rgb> Oracle::EvaluateFormula(const Receiver& receiver,
   if (precision < 53) {
     throw std::invalid_argument("the precision is less than 53 bits");
   }
-  const ContourQuery query{scene_, receiver, 0};
+  const ContourQuery query{scene_, receiver};
   const auto workspace = prepared_->Borrow();
   workspace->builder.StartBlock({});  // whatever it was used for before
   BuildContour(query, options_.engine, *workspace);
@@ -202,7 +202,7 @@ std::optional<Rgb> Oracle::EvaluateFormula(const Receiver& receiver,
 Irradiance Oracle::FormFactor(const Receiver& receiver, int face) const {
   RequireReceiver(receiver, scene_);
   RequireFace(face, 1, scene_, "the face number");
-  const ContourQuery query{scene_, receiver, face};
+  const ContourQuery query{scene_, receiver, FaceNumber(face)};
   const auto workspace = prepared_->Borrow();
   return Answer(query, options_.engine,
                 {options_.method, Emission::kExitance, options_.formula,
@@ -212,7 +212,7 @@ Irradiance Oracle::FormFactor(const Receiver& receiver, int face) const {
 
 VisibleContour Oracle::Contour(const Receiver& receiver) const {
   RequireReceiver(receiver, scene_);
-  const ContourQuery query{scene_, receiver, 0};
+  const ContourQuery query{scene_, receiver};
   const auto workspace = prepared_->Borrow();
   workspace->builder.StartBlock({});  // whatever it was used for before
   BuildContour(query, options_.engine, *workspace);

@@ -1,5 +1,6 @@
 #include "radiometry/stages/multiprecision_stage.h"
 
+#include <cassert>
 #include <utility>
 
 #include "exact/recipe_evaluator.h"
@@ -10,8 +11,8 @@ namespace {
 /// The vectors of a contour, exactly.
 struct ExactVectors {  // NOLINT(bugprone-exception-escape): Mpzf's moves
   Vec3<Exact> receiver_normal;
-  std::vector<Vec3<Exact>> planes;
-  std::vector<Vec3<Exact>> directions;
+  IdVector<PlaneId, Vec3<Exact>> planes;
+  IdVector<DirectionId, Vec3<Exact>> directions;
 };
 
 ExactVectors EvaluateExactly(const WeightedContour& contour) {
@@ -24,11 +25,10 @@ ExactVectors EvaluateExactly(const WeightedContour& contour) {
   }
   result.directions.reserve(c.directions.size());
   for (const DirectionRecipe& d : c.directions) {
-    if (d.kind == DirectionRecipe::Kind::kCrossing) {
-      const Vec3<Exact> crossing =
-          Cross(result.planes[static_cast<std::size_t>(d.a)],
-                result.planes[static_cast<std::size_t>(d.b)]);
-      result.directions.push_back(d.negated ? -crossing : crossing);
+    if (d.kind() == DirectionRecipe::Kind::kCrossing) {
+      const Vec3<Exact> crossing = Cross(result.planes[d.first_plane()],
+                                         result.planes[d.second_plane()]);
+      result.directions.push_back(d.negated() ? -crossing : crossing);
     } else {
       result.directions.push_back(
           recipes.Direction(d, c.planes, c.explicit_vectors.All()));
@@ -40,11 +40,12 @@ ExactVectors EvaluateExactly(const WeightedContour& contour) {
 /// What one arc adds: by its angle, or by its two ends.
 void AppendTerms(const ExactVectors& exact, const Arc& arc, bool over_ends,
                  bool on_horizon, std::vector<ExactTerm>& terms) {
-  const auto plane = static_cast<std::size_t>(arc.plane);
+  // The sum has the contour's planes in their order.
+  const ExactPlaneId plane(arc.plane.value());
   const Vec3<Exact>& n = exact.receiver_normal;
-  const Vec3<Exact>& normal = exact.planes[plane];
-  const Vec3<Exact>& d1 = exact.directions[static_cast<std::size_t>(arc.from)];
-  const Vec3<Exact>& d2 = exact.directions[static_cast<std::size_t>(arc.to)];
+  const Vec3<Exact>& normal = exact.planes[arc.plane];
+  const Vec3<Exact>& d1 = exact.directions[arc.from];
+  const Vec3<Exact>& d2 = exact.directions[arc.to];
   if (over_ends && !on_horizon) {
     const Vec3<Exact> ascent = Cross(n, normal);
     terms.push_back(EndTerm(plane, n, ascent, d1, false));
@@ -65,7 +66,7 @@ void AppendTerms(const ExactVectors& exact, const Arc& arc, bool over_ends,
 
 ExactSum SumOf(const WeightedContour& contour,
                const EvaluationQuery& evaluation,
-               const std::vector<bool>& on_horizon) {
+               const HorizonPlanes& on_horizon) {
   const ExactVectors exact = EvaluateExactly(contour);
   const Vec3<Exact>& n = exact.receiver_normal;
   const Exact n_square = Dot(n, n);
@@ -75,14 +76,13 @@ ExactSum SumOf(const WeightedContour& contour,
   for (const Vec3<Exact>& normal : exact.planes) {
     sum.planes.push_back(ExactPlaneOf(n, n_square, normal));
   }
-  for (std::size_t i = 0; i < contour.contour.sources.size(); ++i) {
-    if (!contour.IsLit(i)) continue;
-    const Rgb& weight = contour.weights[i];
+  for (const SourceId source : contour.contour.sources.ids()) {
+    if (!contour.IsLit(source)) continue;
+    const Rgb& weight = contour.WeightOf(source);
     WeightedTerms group{{Exact(weight[0]), Exact(weight[1]), Exact(weight[2])},
                         {}};
-    for (const Arc& arc : contour.ArcsOf(contour.contour.sources[i])) {
-      const bool flat =
-          over_ends && on_horizon[static_cast<std::size_t>(arc.plane)];
+    for (const Arc& arc : contour.ArcsOf(source)) {
+      const bool flat = over_ends && on_horizon[arc.plane];
       AppendTerms(exact, arc, over_ends, flat, group.terms);
     }
     sum.groups.push_back(std::move(group));
@@ -97,16 +97,17 @@ MultiprecisionStage::MultiprecisionStage(ExactSum sum, Emission emission)
   for (const WeightedTerms& group : sum_.groups) {
     term_count_ += group.terms.size();
   }
+  assert(term_count_ > 0);
 }
 
 MultiprecisionStage::MultiprecisionStage(const WeightedContour& contour,
                                          const EvaluationQuery& evaluation,
-                                         const std::vector<bool>& on_horizon)
+                                         const HorizonPlanes& on_horizon)
     : MultiprecisionStage(SumOf(contour, evaluation, on_horizon),
                           evaluation.emission) {}
 
 MultiprecisionStage::Sum MultiprecisionStage::SumOfTerms(
-    const WeightedTerms& group, const std::vector<RoundedPlane>& planes,
+    const WeightedTerms& group, const RoundedPlanes& planes,
     mpfr_prec_t precision) {
   Sum sum{Multiprecision(precision), Multiprecision(precision)};
   for (const ExactTerm& term : group.terms) {
@@ -140,7 +141,8 @@ void MultiprecisionStage::ToIrradiance(mpfr_prec_t precision, Multiprecision& x,
 
 std::array<Enclosure, 3> MultiprecisionStage::Evaluate(
     mpfr_prec_t precision) const {
-  std::vector<RoundedPlane> planes;
+  assert(precision >= 64);
+  RoundedPlanes planes;
   planes.reserve(sum_.planes.size());
   for (const ExactPlane& plane : sum_.planes) {
     RoundedPlane rounded{Multiprecision(precision, plane.normal_square),

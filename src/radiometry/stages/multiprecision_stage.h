@@ -34,7 +34,7 @@ class MultiprecisionStage {
   /// one lit source.
   MultiprecisionStage(const WeightedContour& contour,
                       const EvaluationQuery& evaluation,
-                      const std::vector<bool>& on_horizon);
+                      const HorizonPlanes& on_horizon);
 
   /// E per channel, with an error of at most (k + s + 16) 2^-p times the sum
   /// of the magnitudes of all its terms; k terms, s groups of one weight
@@ -54,8 +54,10 @@ class MultiprecisionStage {
     Multiprecision cosine;
   };
 
+  using RoundedPlanes = IdVector<ExactPlaneId, RoundedPlane>;
+
   [[nodiscard]] static Sum SumOfTerms(const WeightedTerms& group,
-                                      const std::vector<RoundedPlane>& planes,
+                                      const RoundedPlanes& planes,
                                       mpfr_prec_t precision);
   void ToIrradiance(mpfr_prec_t precision, Multiprecision& x,
                     mpfr_rnd_t rounding) const;

@@ -49,7 +49,7 @@ void TimeRecordedContours(benchmark::State& state, Method method) {
   std::vector<ContourQuery> queries;
   std::vector<Contour> contours;
   for (const Receiver& receiver : slab.receivers) {
-    queries.push_back({slab.scene, receiver, 0});
+    queries.push_back({slab.scene, receiver});
     contours.push_back(engine.Build(queries.back()));
   }
   while (state.KeepRunning()) {

@@ -21,31 +21,27 @@ CaseContour::CaseContour(RegimeCase made) : case_(std::move(made)) {
 void CaseContour::TakeLoop() {
   const int count = static_cast<int>(case_.loop.size());
   for (int i = 0; i < count; ++i) {
-    DirectionRecipe corner;
-    corner.kind = DirectionRecipe::Kind::kVertex;
-    corner.a = i;
-    contour_.directions.push_back(corner);
-    PlaneRecipe side;
-    side.kind = PlaneRecipe::Kind::kEdge;
-    side.a = i;
-    side.b = (i + 1) % count;
-    contour_.planes.push_back(side);
+    const int next = (i + 1) % count;
+    contour_.directions.push_back(DirectionRecipe::ToVertex(VertexId(i)));
     // The loop is counter-clockwise, so that a x b points outwards, and a
-    // contour's arcs run the other way.
+    // contour's arcs run the other way. Direction i is that to vertex i.
     Arc arc;
-    arc.plane = i;
+    arc.plane = contour_.planes.push_back(
+        PlaneRecipe::OfEdge(VertexId(i), VertexId(next)));
     arc.positive = false;
-    arc.from = side.b;
-    arc.to = side.a;
+    arc.from = DirectionId(next);
+    arc.to = DirectionId(i);
     contour_.arcs.push_back(arc);
   }
-  contour_.sources.push_back({0, 0, count});
+  contour_.sources.push_back({FacetId(0), ArcId(0), count});
 }
 
 WeightedContour CaseContour::Weighted() const {
   if (case_.loop.empty()) return {ViewOf(query_), contour_, weights_};
-  const ReceiverView view{
-      case_.loop, {}, case_.receiver.position, case_.receiver.normal};
+  const ReceiverView view{IdSpan<VertexId, const Point3>(case_.loop),
+                          {},
+                          case_.receiver.position,
+                          case_.receiver.normal};
   return {view, contour_, weights_};
 }
 

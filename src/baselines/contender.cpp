@@ -40,7 +40,7 @@ Contender UnfilteredContender(const Scene& scene, const std::string& name) {
   const auto run = [state](std::span<const Receiver> receivers) {
     std::vector<std::optional<Irradiance>> results;
     results.reserve(receivers.size());
-    ContourQuery query{state->engine.scene(), {}, 0};
+    ContourQuery query{state->engine.scene(), {}};
     state->builder.StartBlock({});
     for (const Receiver& receiver : receivers) {
       query.receiver = receiver;

@@ -37,7 +37,7 @@ void FindContours(State& state, std::span<const Receiver> receivers,
   state.builder.StartBlock(receivers);
   seen.reserve(receivers.size());
   for (const Receiver& receiver : receivers) {
-    SeenSources& next = seen.emplace_back(ContourQuery{scene, receiver, 0});
+    SeenSources& next = seen.emplace_back(ContourQuery{scene, receiver});
     state.builder.Build(next.query, next.contour);
     FindWeights(next.query, next.contour, next.weights);
   }

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "baselines/scanline_strips.h"
+#include "exact/recipe.h"
+#include "scene/scene_access.h"
 #include "visibility/contour.h"
 
 namespace truelux {
@@ -25,19 +27,18 @@ Vec Unit(const Vec& a) {
 }
 
 /// The edges of a facet's triangles that no two of them share.
-std::vector<std::array<int, 2>> Boundary(const Scene& scene,
-                                         const Facet& facet) {
-  std::map<std::pair<int, int>, int> uses;
-  const auto first = static_cast<std::size_t>(facet.first_triangle);
-  const auto count = static_cast<std::size_t>(facet.triangle_count);
-  for (const Triangle& triangle : scene.triangles().subspan(first, count)) {
+std::vector<std::array<VertexId, 2>> Boundary(const Scene& scene,
+                                              const Facet& facet) {
+  std::map<std::pair<VertexId, VertexId>, int> uses;
+  for (const Triangle& triangle : TrianglesOf(scene, facet)) {
+    const auto corners = CornersOf(triangle);
     for (std::size_t k = 0; k < 3; ++k) {
-      const int a = triangle.vertices[k];
-      const int b = triangle.vertices[(k + 1) % 3];
+      const VertexId a = corners[k];
+      const VertexId b = corners[(k + 1) % 3];
       ++uses[{std::min(a, b), std::max(a, b)}];
     }
   }
-  std::vector<std::array<int, 2>> boundary;
+  std::vector<std::array<VertexId, 2>> boundary;
   for (const auto& [edge, count_of_uses] : uses) {
     if (count_of_uses == 1) boundary.push_back({edge.first, edge.second});
   }
@@ -140,22 +141,18 @@ std::pair<double, double> AboveHorizon(double a, double b, double begin,
 }  // namespace
 
 ScanlineQuadrature::ScanlineQuadrature(Scene scene) : scene_(std::move(scene)) {
-  const auto vertices = scene_.vertices();
-  const auto at = [&vertices](int i) {
-    return vertices[static_cast<std::size_t>(i)];
-  };
-  for (std::size_t i = 0; i < scene_.facets().size(); ++i) {
-    const Facet& facet = scene_.facets()[i];
-    const Face& face = scene_.faces()[static_cast<std::size_t>(facet.face)];
+  const auto vertices = VerticesOf(scene_);
+  for (const FacetId id : FacetsOf(scene_).ids()) {
+    const Facet& facet = FacetsOf(scene_)[id];
+    const Face& face = FacesOf(scene_)[FaceOf(facet)];
     if (face.emission == Rgb{}) continue;
-    const Triangle& triangle =
-        scene_.triangles()[static_cast<std::size_t>(facet.first_triangle)];
-    const Point3 a = at(triangle.vertices[0]);
+    const auto corners = CornersOf(TrianglesOf(scene_)[FirstTriangleOf(facet)]);
+    const Point3 a = vertices[corners[0]];
     Source source;
-    source.facet = static_cast<int>(i);
+    source.facet = id;
     source.exitance = face.emission;
-    source.u = Unit(Between(a, at(triangle.vertices[1])));
-    source.n = Unit(Cross(source.u, Between(a, at(triangle.vertices[2]))));
+    source.u = Unit(Between(a, vertices[corners[1]]));
+    source.n = Unit(Cross(source.u, Between(a, vertices[corners[2]])));
     source.v = Cross(source.n, source.u);
     source.origin = a;
     source.boundary = Boundary(scene_, facet);
@@ -165,26 +162,23 @@ ScanlineQuadrature::ScanlineQuadrature(Scene scene) : scene_(std::move(scene)) {
 
 double ScanlineQuadrature::FormFactor(const Source& source,
                                       const Receiver& receiver,
-                                      const std::vector<bool>& ignored,
+                                      const IdVector<FacetId, bool>& ignored,
                                       int row_count) const {
   const Point3& r = receiver.position;
   const double h = Dot(source.n, Between(source.origin, r));
   if (!(h > 0)) return 0;
-  std::vector<ShadowPoint> images;
+  IdVector<VertexId, ShadowPoint> images;
   images.reserve(scene_.vertices().size());
   for (const Point3& p : scene_.vertices()) {
     const Vec d = Between(r, p);
     images.push_back(
         {Dot(source.u, d), Dot(source.v, d), -Dot(source.n, d) / h});
   }
-  const auto image = [&images](int vertex) {
-    return images[static_cast<std::size_t>(vertex)];
-  };
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Window window{kFar, -kFar, kFar, -kFar};
   std::vector<std::array<ShadowPoint, 2>> boundary;
   for (const auto& edge : source.boundary) {
-    boundary.push_back({image(edge[0]), image(edge[1])});
+    boundary.push_back({images[edge[0]], images[edge[1]]});
     for (const ShadowPoint& p : boundary.back()) {
       window.x_low = std::min(window.x_low, p.x);
       window.x_high = std::max(window.x_high, p.x);
@@ -196,12 +190,10 @@ double ScanlineQuadrature::FormFactor(const Source& source,
                   row_count};
   std::vector<Strip> strips;
   for (const Triangle& t : scene_.triangles()) {
-    if (t.facet == source.facet) continue;
-    if (!ignored.empty() && ignored[static_cast<std::size_t>(t.facet)])
-      continue;
-    AppendShadow(
-        {image(t.vertices[0]), image(t.vertices[1]), image(t.vertices[2])},
-        window, rows, strips);
+    if (FacetOf(t) == source.facet) continue;
+    if (!ignored.empty() && ignored[FacetOf(t)]) continue;
+    const auto [a, b, c] = CornersOf(t);
+    AppendShadow({images[a], images[b], images[c]}, window, rows, strips);
   }
   const Vec n = Unit({receiver.normal.x, receiver.normal.y, receiver.normal.z});
   const double slope = Dot(n, source.u);
@@ -224,11 +216,10 @@ double ScanlineQuadrature::FormFactor(const Source& source,
 }
 
 Rgb ScanlineQuadrature::Evaluate(const Receiver& receiver, int rows) const {
-  const std::vector<bool> ignored = IgnoredFacets({scene_, receiver, 0});
+  const IdVector<FacetId, bool> ignored = IgnoredFacets({scene_, receiver});
   Rgb sum{};
   for (const Source& source : sources_) {
-    const auto facet = static_cast<std::size_t>(source.facet);
-    if (!ignored.empty() && ignored[facet]) continue;
+    if (!ignored.empty() && ignored[source.facet]) continue;
     const double factor = FormFactor(source, receiver, ignored, rows);
     for (std::size_t c = 0; c < sum.size(); ++c)
       sum[c] += source.exitance[c] * factor;

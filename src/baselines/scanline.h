@@ -11,6 +11,8 @@
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "exact/vec3.h"
 
 namespace truelux {
@@ -40,18 +42,18 @@ class ScanlineQuadrature {
  private:
   /// An emitting facet with a frame: u along the rows, v across, n outwards.
   struct Source {
-    int facet = 0;
+    FacetId facet;
     Rgb exitance{};
     Vec3<double> u{};
     Vec3<double> v{};
     Vec3<double> n{};
     Point3 origin;
-    std::vector<std::array<int, 2>> boundary;  ///< vertex indices
+    std::vector<std::array<VertexId, 2>> boundary;
   };
 
   [[nodiscard]] double FormFactor(const Source& source,
                                   const Receiver& receiver,
-                                  const std::vector<bool>& ignored,
+                                  const IdVector<FacetId, bool>& ignored,
                                   int row_count) const;
 
   Scene scene_;

@@ -165,7 +165,7 @@ class ViewBuilder {
         points_(scene.vertices(), receiver.position, frame_) {}
 
   /// Whether a source is seen.
-  bool Look(const std::vector<bool>& ignored);
+  bool Look(const IdVector<FacetId, bool>& ignored);
   void DropWhatCannotMatter(double cone_angle);
   [[nodiscard]] TracingView Finish();
 
@@ -188,9 +188,9 @@ class ViewBuilder {
   std::unordered_map<std::uint64_t, int> edge_of_;
 };
 
-bool ViewBuilder::Look(const std::vector<bool>& ignored) {
+bool ViewBuilder::Look(const IdVector<FacetId, bool>& ignored) {
   for (const Piece& piece : pieces_.pieces()) {
-    if (ignored.empty() || !ignored[Index(piece.facet)]) LookAt(piece);
+    if (ignored.empty() || !ignored[FacetId(piece.facet)]) LookAt(piece);
   }
   return !sources_.empty();
 }
@@ -350,7 +350,7 @@ double ConeReach(double x, double y, double cone_angle) {
 
 TracingView MakeTracingView(const Scene& scene, const ConvexPieces& pieces,
                             const Receiver& receiver,
-                            const std::vector<bool>& ignored,
+                            const IdVector<FacetId, bool>& ignored,
                             double cone_angle) {
   ViewBuilder builder(scene, pieces, receiver);
   if (!builder.Look(ignored)) return {};

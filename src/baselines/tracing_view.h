@@ -12,6 +12,8 @@
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "scene/index/convex_pieces.h"
 
 namespace truelux {
@@ -73,11 +75,9 @@ struct TracingView {
 /// that overlap the extent of one of these and are not all behind its plane.
 /// ignored: per facet, or empty. cone_angle [rad]: how far an overlap can be
 /// missed in the image and still matter; 0 for rays.
-[[nodiscard]] TracingView MakeTracingView(const Scene& scene,
-                                          const ConvexPieces& pieces,
-                                          const Receiver& receiver,
-                                          const std::vector<bool>& ignored,
-                                          double cone_angle);
+[[nodiscard]] TracingView MakeTracingView(
+    const Scene& scene, const ConvexPieces& pieces, const Receiver& receiver,
+    const IdVector<FacetId, bool>& ignored, double cone_angle);
 
 /// How far in the image plane [1] a cone around (x, y) can reach, rounded
 /// up generously. cone_angle [rad]: 0 for rays.

@@ -139,9 +139,9 @@ VertexTracing::VertexTracing(Scene scene, const VertexTracingOptions& options)
     : scene_(std::move(scene)), pieces_(scene_), options_(Checked(options)) {}
 
 Rgb VertexTracing::Evaluate(const Receiver& receiver) const {
-  const TracingView view = MakeTracingView(scene_, pieces_, receiver,
-                                           IgnoredFacets({scene_, receiver, 0}),
-                                           options_.cone_angle);
+  const TracingView view =
+      MakeTracingView(scene_, pieces_, receiver,
+                      IgnoredFacets({scene_, receiver}), options_.cone_angle);
   if (view.source_count == 0) return {};
   VertexSum vertices(view, options_);
   vertices.AddIntrinsicVertices();

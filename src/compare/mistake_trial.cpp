@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "scene/scene_access.h"
 #include "scene/scene_variants.h"
 #include "text/evenly_picked.h"
 #include "visibility/contour.h"
@@ -58,9 +59,9 @@ const std::vector<int>& MistakeTrial::FacesInPlaneOf(int on_face) {
   const auto [entry, is_new] = faces_in_plane_.try_emplace(on_face);
   if (!is_new) return entry->second;
   Receiver receiver{{0, 0, 0}, {0, 0, 1}, on_face};
-  const std::vector<bool> ignored = IgnoredFacets({scene_, receiver});
-  for (std::size_t f = 0; f < ignored.size(); ++f) {
-    if (ignored[f]) entry->second.push_back(scene_.facets()[f].face);
+  const IdVector<FacetId, bool> ignored = IgnoredFacets({scene_, receiver});
+  for (const FacetId f : ignored.ids()) {
+    if (ignored[f]) entry->second.push_back(FaceOf(scene_, f).value());
   }
   return entry->second;
 }

@@ -3,6 +3,8 @@
 
 #include "exact/atan2.h"
 
+#include <cassert>
+#include <cmath>
 #include <cstddef>
 
 #include "exact/atan_table.h"
@@ -111,6 +113,7 @@ DoubleDouble Constant(const DoubleDouble& value, const DoubleDouble& /*type*/) {
 /// Step O: atan2 for y >= 0.
 template <class T>
 T UpperAtan2(const T& y, const T& x) {
+  assert(std::isfinite(HighOf(x)) && std::isfinite(HighOf(y)));
   const bool left = HighOf(x) < 0;
   const T abs_x = left ? -x : x;
   if (HighOf(y) > HighOf(abs_x)) {

@@ -18,8 +18,8 @@ constexpr double kAtan2ErrorOfDouble = 5.2;
 constexpr double kAtan2Error = 80;
 
 /// The angle of (x, y), in [-pi, pi] up to the error; 0 for (0, 0). Error <=
-/// kAtan2ErrorOfDouble u (relative) + 2^-1070 (absolute). Requires
-/// max(|x|, |y|) = 0 or in [2^-900, 2^900].
+/// kAtan2ErrorOfDouble u (relative) + 2^-1070 (absolute) where max(|x|, |y|) is
+/// 0 or in [2^-900, 2^900]. Requires finite x and y.
 double Atan2(double y, double x);
 
 /// The same in double-double. Error <= kAtan2Error u^2 (relative) + 2^-1060 (1

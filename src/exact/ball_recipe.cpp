@@ -1,6 +1,7 @@
 #include "exact/ball_recipe.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -45,6 +46,7 @@ Ball<T> BallOf(const Exact& x, long exponent) {
 
 template <class T>
 ScaledVector<T> ScaleToUnit(const Vec3<Exact>& v) {
+  assert(!v.x.is_zero() || !v.y.is_zero() || !v.z.is_zero());
   Multiprecision x = Rounded(v.x);
   Multiprecision y = Rounded(v.y);
   Multiprecision z = Rounded(v.z);

@@ -1,8 +1,6 @@
 #include "exact/explicit_vectors.h"
 
-#include <cstddef>
 #include <utility>
-#include <vector>
 
 #include "exact/number.h"
 #include "exact/vec3.h"
@@ -10,7 +8,7 @@
 namespace truelux {
 
 struct ExplicitVectors::Storage {
-  std::vector<Vec3<Exact>> vectors;
+  IdVector<ExplicitId, Vec3<Exact>> vectors;
 };
 
 ExplicitVectors::ExplicitVectors() = default;
@@ -31,30 +29,28 @@ ExplicitVectors& ExplicitVectors::operator=(const ExplicitVectors& other) {
   return *this;
 }
 
-int ExplicitVectors::Add(Vec3<Exact> vector) {
-  std::vector<Vec3<Exact>>& vectors = Stored().vectors;
-  vectors.push_back(std::move(vector));
-  return static_cast<int>(vectors.size()) - 1;
+ExplicitId ExplicitVectors::Add(Vec3<Exact> vector) {
+  return Stored().vectors.push_back(std::move(vector));
 }
 
 void ExplicitVectors::Clear() {
   if (storage_) storage_->vectors.clear();
 }
 
-Vec3<Exact>& ExplicitVectors::operator[](int index) {
-  return storage_->vectors[static_cast<std::size_t>(index)];
+Vec3<Exact>& ExplicitVectors::operator[](ExplicitId id) {
+  return storage_->vectors[id];
 }
 
-const Vec3<Exact>& ExplicitVectors::operator[](int index) const {
-  return storage_->vectors[static_cast<std::size_t>(index)];
+const Vec3<Exact>& ExplicitVectors::operator[](ExplicitId id) const {
+  return storage_->vectors[id];
 }
 
-std::span<const Vec3<Exact>> ExplicitVectors::All() const {
+IdSpan<ExplicitId, const Vec3<Exact>> ExplicitVectors::All() const {
   if (!storage_) return {};
   return storage_->vectors;
 }
 
-std::span<Vec3<Exact>> ExplicitVectors::All() {
+IdSpan<ExplicitId, Vec3<Exact>> ExplicitVectors::All() {
   if (!storage_) return {};
   return storage_->vectors;
 }

@@ -5,7 +5,8 @@
 
 #include <initializer_list>
 #include <memory>
-#include <span>
+
+#include "base/id_vector.h"
 
 namespace CGAL {
 struct Mpzf;
@@ -31,18 +32,18 @@ class ExplicitVectors {
   ExplicitVectors& operator=(ExplicitVectors&& other) noexcept;
   ~ExplicitVectors();
 
-  /// Appends a vector and returns its index.
-  int Add(Vec3<Exact> vector);
+  /// Appends a vector and returns its id.
+  ExplicitId Add(Vec3<Exact> vector);
 
   /// Removes all vectors and keeps the memory.
   void Clear();
 
-  [[nodiscard]] Vec3<Exact>& operator[](int index);
-  [[nodiscard]] const Vec3<Exact>& operator[](int index) const;
+  [[nodiscard]] Vec3<Exact>& operator[](ExplicitId id);
+  [[nodiscard]] const Vec3<Exact>& operator[](ExplicitId id) const;
 
   /// All vectors; valid until the next Add, Clear or assignment.
-  [[nodiscard]] std::span<const Vec3<Exact>> All() const;
-  [[nodiscard]] std::span<Vec3<Exact>> All();
+  [[nodiscard]] IdSpan<ExplicitId, const Vec3<Exact>> All() const;
+  [[nodiscard]] IdSpan<ExplicitId, Vec3<Exact>> All();
 
  private:
   struct Storage;

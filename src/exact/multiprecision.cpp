@@ -1,6 +1,7 @@
 #include "exact/multiprecision.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include <CGAL/Gmpq.h>
 
@@ -85,6 +86,7 @@ Multiprecision operator-(const Multiprecision& x) {
 }
 
 Multiprecision Sqrt(const Multiprecision& x) {
+  assert(mpfr_sgn(x.get()) >= 0);
   Multiprecision result(mpfr_get_prec(x.get()));
   mpfr_sqrt(result.get(), x.get(), MPFR_RNDN);
   return result;

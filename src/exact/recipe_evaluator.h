@@ -3,11 +3,13 @@
 #ifndef TRUELUX_EXACT_RECIPE_EVALUATOR_H_
 #define TRUELUX_EXACT_RECIPE_EVALUATOR_H_
 
-#include <cstddef>
-#include <span>
+#include <cassert>
+#include <type_traits>
 
+#include "base/id_vector.h"
 #include "exact/number.h"
 #include "exact/recipe.h"
+#include "exact/sign.h"
 #include "exact/vec3.h"
 
 namespace truelux {
@@ -32,6 +34,12 @@ struct FromExact<Interval> {
   static Interval Of(const Exact& x) { return Interval(x.to_interval()); }
 };
 
+/// The planes that DirectionRecipe::Kind::kCrossing refers to.
+using PlaneSpan = IdSpan<PlaneId, const PlaneRecipe>;
+
+/// The vectors that the explicit kinds of recipes refer to.
+using ExplicitSpan = IdSpan<ExplicitId, const Vec3<Exact>>;
+
 /// Evaluates recipes at the number type NT. NT needs construction from
 /// double, +, - (unary, too) and *. Error: that of NT's operations.
 template <class NT>
@@ -46,8 +54,8 @@ class RecipeEvaluator {
   }
 
   /// Vertex v relative to r.
-  Vec3<NT> FromReceiver(int v) const {
-    return Between(view_.position, Vertex(v));
+  Vec3<NT> FromReceiver(VertexId v) const {
+    return Between(view_.position, view_.vertices[v]);
   }
 
   Vec3<NT> ReceiverNormal() const {
@@ -55,101 +63,95 @@ class RecipeEvaluator {
   }
 
   /// (t1 - t0) x (t2 - t0): points to the front of triangle t; degree 2.
-  Vec3<NT> TriangleNormal(int t) const {
-    return Cross(Between(Corner(t, 0), Corner(t, 1)),
-                 Between(Corner(t, 0), Corner(t, 2)));
+  Vec3<NT> TriangleNormal(TriangleId t) const {
+    return Cross(Between(view_.Corner(t, 0), view_.Corner(t, 1)),
+                 Between(view_.Corner(t, 0), view_.Corner(t, 2)));
   }
 
   /// h_t = N_t . (t0 - r): negative if r is in front of triangle t; degree 3.
-  NT Height(int t) const {
-    return Dot(TriangleNormal(t), Between(view_.position, Corner(t, 0)));
+  NT Height(TriangleId t) const {
+    return Dot(TriangleNormal(t), Between(view_.position, view_.Corner(t, 0)));
   }
 
   /// N_t . (v - t0): positive if vertex v is in front of triangle t; degree 3,
   /// independent of r.
-  NT AboveTriangle(int t, int v) const {
-    return Dot(TriangleNormal(t), Between(Corner(t, 0), Vertex(v)));
+  NT AboveTriangle(TriangleId t, VertexId v) const {
+    return Dot(TriangleNormal(t),
+               Between(view_.Corner(t, 0), view_.vertices[v]));
   }
 
   /// n . (v - r): positive if vertex v is above the receiver plane; degree 2.
-  NT AboveHorizon(int v) const {
+  NT AboveHorizon(VertexId v) const {
     return Dot(ReceiverNormal(), FromReceiver(v));
   }
 
-  Vec3<NT> Plane(const PlaneRecipe& p,
-                 std::span<const Vec3<Exact>> explicit_vectors) const {
-    return Signed(p.negated, UnsignedPlane(p, explicit_vectors));
+  Vec3<NT> Plane(const PlaneRecipe& p, ExplicitSpan explicit_vectors) const {
+    return Signed(p.negated(), UnsignedPlane(p, explicit_vectors));
   }
 
   /// planes: those that kCrossing refers to.
-  Vec3<NT> Direction(const DirectionRecipe& d,
-                     std::span<const PlaneRecipe> planes,
-                     std::span<const Vec3<Exact>> explicit_vectors) const {
-    return Signed(d.negated, UnsignedDirection(d, planes, explicit_vectors));
+  Vec3<NT> Direction(const DirectionRecipe& d, PlaneSpan planes,
+                     ExplicitSpan explicit_vectors) const {
+    return Signed(d.negated(), UnsignedDirection(d, planes, explicit_vectors));
   }
 
  private:
-  const Point3& Vertex(int v) const {
-    return view_.vertices[static_cast<std::size_t>(v)];
-  }
-
-  const Point3& Corner(int t, std::size_t k) const {
-    return Vertex(view_.triangles[static_cast<std::size_t>(t)].vertices[k]);
-  }
-
   static Vec3<NT> Signed(bool negated, const Vec3<NT>& v) {
     return negated ? -v : v;
   }
 
   /// f(a) (b - r) - f(b) (a - r), with f(a) > 0 > f(b).
-  Vec3<NT> Between(int a, const NT& f_a, int b, const NT& f_b) const {
+  Vec3<NT> Between(VertexId a, const NT& f_a, VertexId b, const NT& f_b) const {
+    if constexpr (std::is_same_v<NT, Exact>) {
+      assert(SignOf(f_a) == Sign::kPositive && SignOf(f_b) == Sign::kNegative);
+    }
     return f_a * FromReceiver(b) - f_b * FromReceiver(a);
   }
 
-  static Vec3<NT> FromExplicit(int i,
-                               std::span<const Vec3<Exact>> explicit_vectors) {
-    const Vec3<Exact>& v = explicit_vectors[static_cast<std::size_t>(i)];
+  static Vec3<NT> FromExplicit(ExplicitId i, ExplicitSpan explicit_vectors) {
+    const Vec3<Exact>& v = explicit_vectors[i];
     return {FromExact<NT>::Of(v.x), FromExact<NT>::Of(v.y),
             FromExact<NT>::Of(v.z)};
   }
 
   Vec3<NT> UnsignedPlane(const PlaneRecipe& p,
-                         std::span<const Vec3<Exact>> explicit_vectors) const {
-    switch (p.kind) {
+                         ExplicitSpan explicit_vectors) const {
+    switch (p.kind()) {
       case PlaneRecipe::Kind::kEdge:
         // b - a, not b - r: the edge itself is short where the source is
         // small, and its difference keeps all bits.
-        return Cross(FromReceiver(p.a), Between(Vertex(p.a), Vertex(p.b)));
+        return Cross(FromReceiver(p.from()),
+                     Between(view_.vertices[p.from()], view_.vertices[p.to()]));
       case PlaneRecipe::Kind::kHorizon:
         return ReceiverNormal();
       case PlaneRecipe::Kind::kCut:
-        return Height(p.b) * TriangleNormal(p.a) -
-               Height(p.a) * TriangleNormal(p.b);
+        return Height(p.second_triangle()) *
+                   TriangleNormal(p.first_triangle()) -
+               Height(p.first_triangle()) * TriangleNormal(p.second_triangle());
       case PlaneRecipe::Kind::kExplicit:
         break;
     }
-    return FromExplicit(p.a, explicit_vectors);
+    return FromExplicit(p.explicit_vector(), explicit_vectors);
   }
 
-  Vec3<NT> UnsignedDirection(
-      const DirectionRecipe& d, std::span<const PlaneRecipe> planes,
-      std::span<const Vec3<Exact>> explicit_vectors) const {
-    switch (d.kind) {
+  Vec3<NT> UnsignedDirection(const DirectionRecipe& d, PlaneSpan planes,
+                             ExplicitSpan explicit_vectors) const {
+    switch (d.kind()) {
       case DirectionRecipe::Kind::kVertex:
-        return FromReceiver(d.a);
+        return FromReceiver(d.vertex());
       case DirectionRecipe::Kind::kEdgeAtHorizon:
-        return Between(d.a, AboveHorizon(d.a), d.b, AboveHorizon(d.b));
+        return Between(d.from(), AboveHorizon(d.from()), d.to(),
+                       AboveHorizon(d.to()));
       case DirectionRecipe::Kind::kEdgeAtPlane:
-        return Between(d.a, AboveTriangle(d.c, d.a), d.b,
-                       AboveTriangle(d.c, d.b));
+        return Between(d.from(), AboveTriangle(d.triangle(), d.from()), d.to(),
+                       AboveTriangle(d.triangle(), d.to()));
       case DirectionRecipe::Kind::kCrossing:
-        return Cross(
-            Plane(planes[static_cast<std::size_t>(d.a)], explicit_vectors),
-            Plane(planes[static_cast<std::size_t>(d.b)], explicit_vectors));
+        return Cross(Plane(planes[d.first_plane()], explicit_vectors),
+                     Plane(planes[d.second_plane()], explicit_vectors));
       case DirectionRecipe::Kind::kExplicit:
         break;
     }
-    return FromExplicit(d.a, explicit_vectors);
+    return FromExplicit(d.explicit_vector(), explicit_vectors);
   }
 
   ReceiverView view_;

@@ -6,16 +6,31 @@
 #include "exact/recipe_evaluator.h"
 
 namespace truelux {
+namespace {
+
+/// Whether two recipes for the same edge, or a part of it, run through it in
+/// either direction.
+template <class Recipe>
+bool HaveSameEnds(const PlaneRecipe& p, const Recipe& q) {
+  return (p.from() == q.from() && p.to() == q.to()) ||
+         (p.from() == q.to() && p.to() == q.from());
+}
+
+}  // namespace
 
 std::vector<FilteredPlane> FilteredTriangleNormals(
     std::span<const Point3> vertices, std::span<const Triangle> triangles) {
   const RoundUpward rounding;
-  const RecipeEvaluator<Interval> evaluator({vertices, triangles, {}, {}});
+  const ReceiverView view{IdSpan<VertexId, const Point3>(vertices),
+                          IdSpan<TriangleId, const Triangle>(triangles),
+                          {},
+                          {}};
+  const RecipeEvaluator<Interval> evaluator(view);
   std::vector<FilteredPlane> normals;
   normals.reserve(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    normals.push_back(MakeFilteredPlane(
-        Approximate(evaluator.TriangleNormal(static_cast<int>(t)))));
+  for (const TriangleId t : view.triangles.ids()) {
+    normals.push_back(
+        MakeFilteredPlane(Approximate(evaluator.TriangleNormal(t))));
   }
   return normals;
 }
@@ -50,12 +65,12 @@ template <PredicateKind kKind>
 int BasicViewGeometry<kKind>::AddPlane(const PlaneRecipe& recipe) {
   const int id = plane_count();
   planes_.push_back({{}, recipe, kNotMade});
-  if (recipe.kind == PlaneRecipe::Kind::kEdge) {
-    const Point3& a = view_.vertices[Index(recipe.a)];
-    const Point3& b = view_.vertices[Index(recipe.b)];
+  if (recipe.kind() == PlaneRecipe::Kind::kEdge) {
+    const Point3& a = view_.vertices[recipe.from()];
+    const Point3& b = view_.vertices[recipe.to()];
     ApproxVector normal = FilteredCross(FilteredDifference(view_.position, a),
                                         FilteredDifference(a, b));
-    if (recipe.negated) {
+    if (recipe.negated()) {
       normal = {-normal.x, -normal.y, -normal.z, normal.error};
     }
     planes_.back().filtered = MakeFilteredPlane(normal);
@@ -71,9 +86,8 @@ int BasicViewGeometry<kKind>::AddVertexDirection(int vertex) {
   const int id = direction_count();
   vertex_directions_.Set(vertex, id);
   directions_.push_back(
-      {FilteredDifference(view_.position, view_.vertices[Index(vertex)]),
-       {.kind = DirectionRecipe::Kind::kVertex, .a = vertex},
-       kNotMade});
+      {FilteredDifference(view_.position, view_.vertices[VertexId(vertex)]),
+       DirectionRecipe::ToVertex(VertexId(vertex)), kNotMade});
   return id;
 }
 
@@ -130,18 +144,17 @@ const Vec3<Exact>& BasicViewGeometry<kKind>::DirectionExact(int id) {
 template <PredicateKind kKind>
 std::optional<Sign> BasicViewGeometry<kKind>::ReceiverSideInterval(
     int triangle) const {
-  return TrySign(interval_.Height(triangle));
+  return TrySign(interval_.Height(TriangleId(triangle)));
 }
 
 template <PredicateKind kKind>
 Sign BasicViewGeometry<kKind>::ReceiverSideExact(int triangle) const {
-  return SignOf(exact_.Height(triangle));
+  return SignOf(exact_.Height(TriangleId(triangle)));
 }
 
 template <PredicateKind kKind>
 Sign BasicViewGeometry<kKind>::ReceiverSide(int triangle) {
-  const Point3& corner =
-      view_.vertices[Index(view_.triangles[Index(triangle)].vertices[0])];
+  const Point3& corner = view_.Corner(TriangleId(triangle), 0);
   StageCounts& counts = statistics_.receiver_side;
   const BoundedValue value = Filter(triangle_normals_[Index(triangle)],
                                     FilteredDifference(view_.position, corner));
@@ -161,17 +174,18 @@ Sign BasicViewGeometry<kKind>::ReceiverSide(int triangle) {
 template <PredicateKind kKind>
 std::optional<Sign> BasicViewGeometry<kKind>::VertexSideInterval(
     int triangle, int vertex) const {
-  return TrySign(interval_.AboveTriangle(triangle, vertex));
+  return TrySign(
+      interval_.AboveTriangle(TriangleId(triangle), VertexId(vertex)));
 }
 
 template <PredicateKind kKind>
 Sign BasicViewGeometry<kKind>::VertexSideExact(int triangle, int vertex) const {
-  return SignOf(exact_.AboveTriangle(triangle, vertex));
+  return SignOf(exact_.AboveTriangle(TriangleId(triangle), VertexId(vertex)));
 }
 
 template <PredicateKind kKind>
 Sign BasicViewGeometry<kKind>::VertexSide(int triangle, int vertex) {
-  const auto& corners = view_.triangles[Index(triangle)].vertices;
+  const auto& corners = view_.triangles[TriangleId(triangle)].vertices;
   StageCounts& counts = statistics_.vertex_side;
   if (vertex == corners[0] || vertex == corners[1] || vertex == corners[2]) {
     ++counts.symbolic;
@@ -179,8 +193,8 @@ Sign BasicViewGeometry<kKind>::VertexSide(int triangle, int vertex) {
   }
   const BoundedValue value =
       Filter(triangle_normals_[Index(triangle)],
-             FilteredDifference(view_.vertices[Index(corners[0])],
-                                view_.vertices[Index(vertex)]));
+             FilteredDifference(view_.vertices[VertexId(corners[0])],
+                                view_.vertices[VertexId(vertex)]));
   if (const auto sign = TrySign(value)) {
     ++counts.filter;
     return *sign;
@@ -214,24 +228,22 @@ bool BasicViewGeometry<kKind>::Incident(int plane, int direction) const {
   const PlaneRecipe& p = planes_[Index(plane)].recipe;
   const DirectionRecipe& d = directions_[Index(direction)].recipe;
   using PlaneKind = PlaneRecipe::Kind;
-  switch (d.kind) {
+  switch (d.kind()) {
     case DirectionRecipe::Kind::kVertex:
-      return p.kind == PlaneKind::kEdge && (p.a == d.a || p.b == d.a);
+      return p.kind() == PlaneKind::kEdge &&
+             (p.from() == d.vertex() || p.to() == d.vertex());
     case DirectionRecipe::Kind::kEdgeAtHorizon:
-      return p.kind == PlaneKind::kHorizon ||
-             (p.kind == PlaneKind::kEdge &&
-              ((p.a == d.a && p.b == d.b) || (p.a == d.b && p.b == d.a)));
+      return p.kind() == PlaneKind::kHorizon ||
+             (p.kind() == PlaneKind::kEdge && HaveSameEnds(p, d));
     case DirectionRecipe::Kind::kEdgeAtPlane:
-      if (p.kind == PlaneKind::kCut) {
+      if (p.kind() == PlaneKind::kCut) {
         // The point lies in the source's plane and on an edge of the blocker.
-        const auto& corners = view_.triangles[Index(p.b)].vertices;
-        const auto has = [&corners](int v) {
-          return corners[0] == v || corners[1] == v || corners[2] == v;
-        };
-        return p.a == d.c && has(d.a) && has(d.b);
+        const auto corners = CornersOf(view_.triangles[p.second_triangle()]);
+        return p.first_triangle() == d.triangle() &&
+               std::ranges::count(corners, d.from()) > 0 &&
+               std::ranges::count(corners, d.to()) > 0;
       }
-      return p.kind == PlaneKind::kEdge &&
-             ((p.a == d.a && p.b == d.b) || (p.a == d.b && p.b == d.a));
+      return p.kind() == PlaneKind::kEdge && HaveSameEnds(p, d);
     default:
       return false;
   }
@@ -278,8 +290,8 @@ bool BasicViewGeometry<kKind>::SameEdge(int plane, int other) const {
   if (plane == other) return true;
   const PlaneRecipe& p = planes_[Index(plane)].recipe;
   const PlaneRecipe& q = planes_[Index(other)].recipe;
-  return p.kind == PlaneRecipe::Kind::kEdge && q.kind == p.kind &&
-         ((p.a == q.a && p.b == q.b) || (p.a == q.b && p.b == q.a));
+  return p.kind() == PlaneRecipe::Kind::kEdge && q.kind() == p.kind() &&
+         HaveSameEnds(p, q);
 }
 
 template <PredicateKind kKind>

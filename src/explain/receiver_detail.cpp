@@ -81,7 +81,7 @@ std::vector<std::string> LinesOf(const Scene& scene,
 
 ReceiverDetail DetailFinder::Find(const Receiver& receiver,
                                   bool in_detail) const {
-  const ContourQuery query{engine_.scene(), receiver, 0};
+  const ContourQuery query{engine_.scene(), receiver};
   const Contour contour = engine_.Build(query);
   if (in_detail) {
     return DetailOf(engine_.scene(), receiver,

@@ -95,7 +95,7 @@ InspectedView Inspect(const Oracle& oracle, const std::string& scene_name,
   inspected.emission = oracle.options().emission;
   inspected.frame = FrameOf(receiver.normal);
   inspected.view =
-      WholeViewOf({oracle.scene(), receiver, 0}, [&announce](int step) {
+      WholeViewOf({oracle.scene(), receiver}, [&announce](int step) {
         if (announce) {
           announce(fmt::format("looking around, step {} of {}", step + 1,
                                kWholeViewSteps));

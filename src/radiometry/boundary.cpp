@@ -36,7 +36,7 @@ class Builder {
   using W = typename WorkingType<T>::Type;
 
  public:
-  Builder(const FrameGeometry<W>& geometry, int source)
+  Builder(const FrameGeometry<W>& geometry, SourceId source)
       : geometry_(geometry), source_(source) {}
 
   void Add(const Arc& arc) {
@@ -48,23 +48,20 @@ class Builder {
     added.edge = added.chord;
     added.on_horizon = geometry_.IsHorizon(arc.plane);
     const Contour& contour = geometry_.contour().contour;
-    const auto end = [&](int i) -> const DirectionRecipe& {
-      return contour.directions[static_cast<std::size_t>(i)];
-    };
-    const PlaneRecipe& plane =
-        contour.planes[static_cast<std::size_t>(arc.plane)];
+    const PlaneRecipe& plane = contour.planes[arc.plane];
     bool whole = false;
-    if (plane.kind == PlaneRecipe::Kind::kEdge) {
+    if (plane.kind() == PlaneRecipe::Kind::kEdge) {
       // a x b is the plane's normal, and (from x to) . N > 0 if positive.
-      const bool backwards = arc.positive != plane.negated;
-      const int first = backwards ? plane.b : plane.a;
-      const int last = backwards ? plane.a : plane.b;
-      whole = IsVertex(end(arc.to), first) && IsVertex(end(arc.from), last);
+      const bool backwards = arc.positive != plane.negated();
+      const VertexId first = backwards ? plane.to() : plane.from();
+      const VertexId last = backwards ? plane.from() : plane.to();
+      whole = contour.directions[arc.to] == DirectionRecipe::ToVertex(first) &&
+              contour.directions[arc.from] == DirectionRecipe::ToVertex(last);
       if (!whole)
         added.edge = Converted<T>(geometry_.Edge(source_, first, last));
     }
     if (whole && !added.on_horizon) {
-      added.normal = Cross(Vertex(added.from).point, added.chord);
+      added.normal = Cross(boundary_.From(added).point, added.chord);
     } else {
       added.normal = Converted<T>(geometry_.Plane(arc.plane));
       if (arc.positive) added.normal = -added.normal;
@@ -89,19 +86,11 @@ class Builder {
   }
 
  private:
-  static bool IsVertex(const DirectionRecipe& d, int v) {
-    return d.kind == DirectionRecipe::Kind::kVertex && !d.negated && d.a == v;
-  }
-
-  const BoundaryVertex<T>& Vertex(int i) const {
-    return boundary_.vertices[static_cast<std::size_t>(i)];
-  }
-
-  int VertexOf(int direction) {
-    const int next = static_cast<int>(boundary_.vertices.size());
-    const auto [place, is_new] = index_.emplace(direction, next);
+  BoundaryVertexId VertexOf(DirectionId direction) {
+    const auto [place, is_new] =
+        index_.emplace(direction, boundary_.vertices.end_id());
     if (is_new) {
-      if (next == 0) first_ = direction;
+      if (boundary_.vertices.empty()) first_ = direction;
       boundary_.vertices.push_back(
           {Converted<T>(geometry_.Point(source_, direction)),
            Converted<T>(geometry_.Between(source_, first_, direction)),
@@ -111,38 +100,35 @@ class Builder {
   }
 
   const FrameGeometry<W>& geometry_;
-  int source_;
-  int first_ = -1;  ///< the direction that is vertex 0
+  SourceId source_;
+  DirectionId first_;  ///< the direction that is the first vertex
   Boundary<T> boundary_;
-  std::unordered_map<int, int> index_;     ///< direction -> vertex
-  std::vector<std::pair<int, int>> ends_;  ///< directions of each arc
+  std::unordered_map<DirectionId, BoundaryVertexId> index_;
+  std::vector<std::pair<DirectionId, DirectionId>> ends_;  ///< of each arc
 };
 
 }  // namespace
 
 template <class T>
 Boundary<T> BoundaryOf(
-    const FrameGeometry<typename WorkingType<T>::Type>& geometry, int source,
-    bool with_fan) {
+    const FrameGeometry<typename WorkingType<T>::Type>& geometry,
+    SourceId source, bool with_fan) {
   Builder<T> builder(geometry, source);
-  const WeightedContour& contour = geometry.contour();
-  for (const Arc& arc : contour.ArcsOf(
-           contour.contour.sources[static_cast<std::size_t>(source)])) {
+  for (const Arc& arc : geometry.contour().ArcsOf(source))
     builder.Add(arc);
-  }
   if (with_fan) builder.AddFan();
   return builder.Finish();
 }
 
 template Boundary<float> BoundaryOf(const FrameGeometry<Ball<DoubleDouble>>&,
-                                    int, bool);
+                                    SourceId, bool);
 template Boundary<double> BoundaryOf(const FrameGeometry<Ball<DoubleDouble>>&,
-                                     int, bool);
+                                     SourceId, bool);
 template Boundary<DoubleDouble> BoundaryOf(
-    const FrameGeometry<Ball<DoubleDouble>>&, int, bool);
+    const FrameGeometry<Ball<DoubleDouble>>&, SourceId, bool);
 template Boundary<Ball<double>> BoundaryOf(
-    const FrameGeometry<Ball<DoubleDouble>>&, int, bool);
+    const FrameGeometry<Ball<DoubleDouble>>&, SourceId, bool);
 template Boundary<Multiprecision> BoundaryOf(
-    const FrameGeometry<Multiprecision>&, int, bool);
+    const FrameGeometry<Multiprecision>&, SourceId, bool);
 
 }  // namespace truelux

@@ -1,15 +1,22 @@
 // The visible region of one source at a number type: what formulas sum over.
+//
+// Letters: r the receiver; T the number type of a formula, W the working type
+// that it is rounded from; x, y, z the axes of the receiver's frame.
 
 #ifndef TRUELUX_RADIOMETRY_BOUNDARY_H_
 #define TRUELUX_RADIOMETRY_BOUNDARY_H_
 
-#include <cstddef>
 #include <vector>
 
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "exact/vec3.h"
 #include "radiometry/frame_geometry.h"
 
 namespace truelux {
+
+/// Index into Boundary::vertices.
+using BoundaryVertexId = Id<struct BoundaryVertexTag>;
 
 /// A vertex of the region. Frame: orthonormal and right-handed, r its origin,
 /// z along the receiver's normal.
@@ -24,8 +31,8 @@ struct BoundaryVertex {
 /// left for a viewer at r who looks out.
 template <class T>
 struct BoundaryArc {
-  int from = 0;  ///< index into Boundary::vertices
-  int to = 0;
+  BoundaryVertexId from;
+  BoundaryVertexId to;
   Vec3<T> chord;   ///< to - from
   Vec3<T> edge;    ///< along the arc's line in space, in the sense of travel
   Vec3<T> normal;  ///< of its plane, outwards, any length: a positive multiple
@@ -40,19 +47,21 @@ struct BoundaryArc {
 /// rest), but for products: `normal` of a whole edge is from x chord in T.
 template <class T>
 struct Boundary {
-  std::vector<BoundaryVertex<T>> vertices;
+  IdVector<BoundaryVertexId, BoundaryVertex<T>> vertices;
   std::vector<BoundaryArc<T>> arcs;
   /// -det(first, from, to) / (|first| |from| |to|) for each arc if asked for:
   /// relatively accurate, > 0 where the triangle is counter-clockwise.
   std::vector<T> fan;
   T pi{};  ///< at the precision of the other numbers
 
+  /// The vertex at which an arc begins.
   [[nodiscard]] const BoundaryVertex<T>& From(const BoundaryArc<T>& arc) const {
-    return vertices[static_cast<std::size_t>(arc.from)];
+    return vertices[arc.from];
   }
 
+  /// The vertex at which an arc ends.
   [[nodiscard]] const BoundaryVertex<T>& To(const BoundaryArc<T>& arc) const {
-    return vertices[static_cast<std::size_t>(arc.to)];
+    return vertices[arc.to];
   }
 };
 
@@ -67,12 +76,12 @@ struct WorkingType<Multiprecision> {
   using Type = Multiprecision;
 };
 
-/// The boundary of source `source` of a contour. T: float, double,
+/// The boundary of one source of a contour. T: float, double,
 /// DoubleDouble, Ball<double> or Multiprecision.
 template <class T>
 Boundary<T> BoundaryOf(
-    const FrameGeometry<typename WorkingType<T>::Type>& geometry, int source,
-    bool with_fan);
+    const FrameGeometry<typename WorkingType<T>::Type>& geometry,
+    SourceId source, bool with_fan);
 
 }  // namespace truelux
 

@@ -5,12 +5,13 @@
 #include "radiometry/evaluate_weighted.h"
 #include "radiometry/evaluation_workspace.h"
 #include "radiometry/weighted_contour.h"
+#include "scene/scene_access.h"
 
 namespace truelux {
-Rgb WeightOf(const ContourQuery& query, int facet) {
-  if (query.only_source != 0) return {1, 1, 1};
-  const int face = query.scene.facets()[static_cast<std::size_t>(facet)].face;
-  return query.scene.faces()[static_cast<std::size_t>(face)].emission;
+
+Rgb WeightOf(const ContourQuery& query, FacetId facet) {
+  if (query.only_source.valid()) return {1, 1, 1};
+  return FacesOf(query.scene)[FaceOf(query.scene, facet)].emission;
 }
 
 void FindWeights(const ContourQuery& query, const Contour& contour,
@@ -27,7 +28,7 @@ Irradiance EvaluateContour(const ContourQuery& query, const Contour& contour,
   FindWeights(query, contour, workspace.weights);
   EvaluationQuery used = evaluation;
   // A form factor is E with M = 1, however the scene's emission is read.
-  if (query.only_source != 0) used.emission = Emission::kExitance;
+  if (query.only_source.valid()) used.emission = Emission::kExitance;
   Irradiance result = EvaluateWeighted(
       {ViewOf(query), contour, workspace.weights}, used, workspace);
   result.statistics += contour.statistics;

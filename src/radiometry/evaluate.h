@@ -20,7 +20,7 @@ bool HasWideBound(const Irradiance& result);
 
 /// What a facet's light is weighted with, as a source of this query: the
 /// emission of its face, or 1 if query.only_source is set.
-Rgb WeightOf(const ContourQuery& query, int facet);
+Rgb WeightOf(const ContourQuery& query, FacetId facet);
 
 /// Makes `weights` those of the contour's sources, one after the other.
 void FindWeights(const ContourQuery& query, const Contour& contour,

@@ -20,9 +20,9 @@ namespace {
 
 Channels LitChannels(const WeightedContour& contour) {
   Channels lit{};
-  for (std::size_t i = 0; i < contour.contour.sources.size(); ++i) {
+  for (const SourceId source : contour.contour.sources.ids()) {
     for (std::size_t channel = 0; channel < 3; ++channel) {
-      lit[channel] = lit[channel] || contour.IsLit(i, channel);
+      lit[channel] = lit[channel] || contour.IsLit(source, channel);
     }
   }
   return lit;
@@ -72,7 +72,7 @@ void TakeAll(const std::array<Ball<double>, 3>& balls, const Channels& lit,
 
 void AnswerInDoubleDouble(const WeightedContour& contour,
                           const EvaluationQuery& evaluation,
-                          const std::vector<bool>& on_horizon,
+                          const HorizonPlanes& on_horizon,
                           BallGeometry<DoubleDouble>& geometry, Channels& open,
                           Irradiance& result) {
   const auto balls = EvaluateInBalls(contour, evaluation, on_horizon, geometry);
@@ -107,9 +107,9 @@ Irradiance EvaluateWeighted(const WeightedContour& contour,
     result.statistics.evaluated_double = 1;
     return result;
   }
-  const std::vector<bool> on_horizon = SumsOverVertices(evaluation.formula)
-                                           ? PlanesOnHorizon(contour)
-                                           : std::vector<bool>();
+  const HorizonPlanes on_horizon = SumsOverVertices(evaluation.formula)
+                                       ? PlanesOnHorizon(contour)
+                                       : HorizonPlanes();
   if (evaluation.method == Method::kDouble) {
     TakeBounded(
         EvaluateInBalls(contour, evaluation, on_horizon, workspace.plain), open,

@@ -10,43 +10,40 @@
 #include "radiometry/source_slice.h"
 #include "radiometry/stages/span_sum.h"
 #include "scene/emitters.h"
+#include "scene/scene_access.h"
 
 namespace truelux {
 namespace {
 
-/// One entry per face that emits, facets or not; evaluate(face index) is its
+/// One entry per face that emits, facets or not; evaluate(face) is its
 /// form factor.
 template <class Evaluate>
 void AddFactors(const Scene& scene, const Evaluate& evaluate,
                 FormFactorTable& table) {
-  for (std::size_t f = 0; f < scene.faces().size(); ++f) {
-    if (!Emits(scene.faces()[f])) continue;
-    const int face = static_cast<int>(f);
+  for (const FaceId face : FacesOf(scene).ids()) {
+    if (!Emits(FacesOf(scene)[face])) continue;
     const Irradiance factor = evaluate(face);
-    table.faces.push_back({face + 1, factor.value[0], factor.bound[0]});
+    table.faces.push_back(
+        {NumberOf(face).value(), factor.value[0], factor.bound[0]});
     table.statistics += factor.statistics;
   }
 }
 
-int FaceOf(const Scene& scene, int facet) {
-  return scene.facets()[static_cast<std::size_t>(facet)].face;
-}
-
-ContourQuery OnlySource(const ContourQuery& query, int face) {
+ContourQuery OnlySource(const ContourQuery& query, FaceId face) {
   ContourQuery only = query;
-  only.only_source = face + 1;
+  only.only_source = NumberOf(face);
   return only;
 }
 
 /// For each face the vertices around which it is seen as a source, as indices
 /// into spans.vertices.
-std::vector<std::vector<std::size_t>> VerticesOfFaces(
+IdVector<FaceId, std::vector<std::size_t>> VerticesOfFaces(
     const Scene& scene, const AngularSpans& spans) {
-  std::vector<std::vector<std::size_t>> vertices(scene.faces().size());
+  IdVector<FaceId, std::vector<std::size_t>> vertices(scene.faces().size());
   for (std::size_t v = 0; v < spans.vertices.size(); ++v) {
     for (const AngularSpan& span : spans.vertices[v].spans) {
       if (!span.is_source) continue;
-      auto& own = vertices[static_cast<std::size_t>(FaceOf(scene, span.facet))];
+      auto& own = vertices[FaceOf(scene, span.facet)];
       if (own.empty() || own.back() != v) own.push_back(v);
     }
   }
@@ -54,7 +51,7 @@ std::vector<std::vector<std::size_t>> VerticesOfFaces(
 }
 
 /// The spans around some vertices, with one face as the only source.
-AngularSpans SpansOf(const Scene& scene, const AngularSpans& spans, int face,
+AngularSpans SpansOf(const Scene& scene, const AngularSpans& spans, FaceId face,
                      const std::vector<std::size_t>& vertices) {
   AngularSpans own;
   for (const std::size_t v : vertices) {
@@ -74,19 +71,19 @@ FormFactorTable FormFactorsOf(const ContourQuery& query, const Contour& contour,
   table.statistics = contour.statistics;
   SourceSlicer slicer(contour);
   Contour slice;
-  std::size_t next = 0;
-  const auto evaluate = [&](int face) {
-    const std::size_t first = next;
-    while (next < contour.sources.size() &&
+  SourceId next(0);
+  const auto evaluate = [&](FaceId face) {
+    const SourceId first = next;
+    while (next < contour.sources.end_id() &&
            FaceOf(query.scene, contour.sources[next].facet) == face) {
       ++next;
     }
-    slicer.Take(first, next - first, slice);
+    slicer.Take(first, next.value() - first.value(), slice);
     return EvaluateContour(OnlySource(query, face), slice, evaluation,
                            workspace);
   };
   AddFactors(query.scene, evaluate, table);
-  assert(next == contour.sources.size());
+  assert(next == contour.sources.end_id());
   return table;
 }
 
@@ -96,10 +93,9 @@ FormFactorTable FormFactorsOf(const ContourQuery& query,
   FormFactorTable table;
   table.statistics = spans.statistics;
   const auto vertices = VerticesOfFaces(query.scene, spans);
-  const auto evaluate = [&](int face) {
+  const auto evaluate = [&](FaceId face) {
     return EvaluateSpans(OnlySource(query, face),
-                         SpansOf(query.scene, spans, face,
-                                 vertices[static_cast<std::size_t>(face)]),
+                         SpansOf(query.scene, spans, face, vertices[face]),
                          evaluation);
   };
   AddFactors(query.scene, evaluate, table);

@@ -1,5 +1,6 @@
 #include "radiometry/formula_evaluation.h"
 
+#include <cassert>
 #include <stdexcept>
 
 #include "radiometry/formulas/cubature.h"
@@ -81,8 +82,8 @@ template <class T>
 FormulaEvaluation<T>::FormulaEvaluation(const WeightedContour& contour,
                                         double half_side, mpfr_prec_t precision)
     : contour_(contour), half_side_(half_side), precision_(precision) {
-  for (std::size_t i = 0; i < contour.contour.sources.size(); ++i) {
-    if (contour.IsLit(i)) lit_.push_back(static_cast<int>(i));
+  for (const SourceId source : contour.contour.sources.ids()) {
+    if (contour.IsLit(source)) lit_.push_back(source);
   }
 }
 
@@ -117,7 +118,7 @@ template <class T>
 auto FormulaEvaluation<T>::RegionsOf(const FrameGeometry<W>& geometry,
                                      bool with_fan) const -> Regions {
   Regions regions;
-  for (const int source : lit_) {
+  for (const SourceId source : lit_) {
     regions.push_back(BoundaryOf<T>(geometry, source, with_fan));
   }
   return regions;
@@ -133,11 +134,11 @@ auto FormulaEvaluation<T>::RegionsFor(Formula formula) const -> const Regions& {
 template <class T>
 PartialSum<T> FormulaEvaluation<T>::Evaluate(Formula formula,
                                              std::size_t i) const {
+  assert(i < RegionsFor(formula).size());  // Prepare was called
   static const GaussRules<T> none;
   PartialSum<T> sum =
       EvaluateFormula(formula, RegionsFor(formula)[i], rules_ ? *rules_ : none);
-  const auto source = static_cast<std::size_t>(lit_[i]);
-  if (NeedsBoundedRegion(formula) && bounded_contour_->is_cut[source]) {
+  if (NeedsBoundedRegion(formula) && bounded_contour_->is_cut[lit_[i]]) {
     sum.truncation += FormFactorBeyond(half_side_);
   }
   return sum;

@@ -44,8 +44,8 @@ class FormulaEvaluation {
                              double half_side = 0x1p20,
                              mpfr_prec_t precision = 128);
 
-  /// Indices into contour.sources of the lit ones.
-  [[nodiscard]] const std::vector<int>& lit() const { return lit_; }
+  /// The lit sources of the contour.
+  [[nodiscard]] const std::vector<SourceId>& lit() const { return lit_; }
 
   /// Makes what `formula` needs, so that Evaluate costs its sum only.
   void Prepare(Formula formula);
@@ -68,7 +68,7 @@ class FormulaEvaluation {
   WeightedContour contour_;
   double half_side_;
   mpfr_prec_t precision_;
-  std::vector<int> lit_;
+  std::vector<SourceId> lit_;
   std::unique_ptr<const FrameGeometry<W>> geometry_;
   Regions plain_;
   Regions with_fan_;

@@ -25,7 +25,7 @@ std::optional<Rgb> SumByFormula(const FormulaEvaluation<T>& formulas,
   for (std::size_t i = 0; i < formulas.lit().size(); ++i) {
     const PartialSum<T> sum = formulas.Evaluate(formula, i);
     if (!sum.applicable) return std::nullopt;
-    const Rgb& weight = weights[static_cast<std::size_t>(formulas.lit()[i])];
+    const Rgb& weight = weights[formulas.lit()[i].index()];
     for (std::size_t channel = 0; channel < 3; ++channel)
       value[channel] = value[channel] + Make<T>(weight[channel]) * sum.value;
   }

@@ -8,92 +8,18 @@
 #include "exact/ball_recipe.h"
 #include "exact/recipe_evaluator.h"
 #include "radiometry/stages/ball_geometry.h"
+#include "radiometry/working_number.h"
+#include "scene/scene_access.h"
 
 namespace truelux {
 namespace {
 
-using DoubleDoubleBall = Ball<DoubleDouble>;
-
-/// What an exact number is rounded to on its way to a double-double.
-constexpr mpfr_prec_t kConversionBits = 160;
-
 /// The frame is used where coordinates can be scaled by this at most.
 constexpr int kMaxExponent = 1000;
 
-template <class W>
-W FromDouble(double x) {
-  if constexpr (std::is_same_v<W, Multiprecision>) {
-    return Make<Multiprecision>(x);
-  } else {
-    return W(x);
-  }
-}
-
-/// Whether x 2^exponent is a normal number, or 0.
-bool StaysNormal(double x, double power_of_two) {
-  return x == 0 || std::fabs(x * power_of_two) >= 0x1p-1000;
-}
-
-DoubleDoubleBall TimesTwoTo(const DoubleDoubleBall& x, int exponent) {
-  const double factor = PowerOfTwo(exponent);
-  DoubleDoubleBall scaled = truelux::Scaled(x, factor);
-  // Exact numbers stay exact: formulas ask for exact zeros.
-  if (x.error == 0 && StaysNormal(x.value.high, factor) &&
-      StaysNormal(x.value.low, factor)) {
-    scaled.error = 0;
-  }
-  return scaled;
-}
-
-DoubleDoubleBall NotBelowZero(const DoubleDoubleBall& x) {
-  return ClampToNonNegative(x);
-}
-
-Multiprecision NotBelowZero(const Multiprecision& x) {
-  return NonNegative(x);
-}
-
-Multiprecision TimesTwoTo(Multiprecision x, int exponent) {
-  mpfr_mul_2si(x.get(), x.get(), exponent, MPFR_RNDN);
-  return x;
-}
-
-template <class W>
-Vec3<W> TimesTwoTo(const Vec3<W>& v, int exponent) {
-  return {TimesTwoTo(v.x, exponent), TimesTwoTo(v.y, exponent),
-          TimesTwoTo(v.z, exponent)};
-}
-
-Vec3<DoubleDoubleBall> Balls(const BallVector<DoubleDouble>& v) {
+/// A vector of balls as its three components.
+Vec3<Ball<DoubleDouble>> Balls(const BallVector<DoubleDouble>& v) {
   return {Component(v, 0), Component(v, 1), Component(v, 2)};
-}
-
-Vec3<Multiprecision> Rounded(const Vec3<Exact>& v, mpfr_prec_t precision) {
-  return {{precision, v.x}, {precision, v.y}, {precision, v.z}};
-}
-
-const Multiprecision& Middle(const Multiprecision& x) {
-  return x;
-}
-
-Multiprecision Middle(const DoubleDoubleBall& x) {
-  return Multiprecision(kConversionBits, x.value.high) +
-         Multiprecision(kConversionBits, x.value.low);
-}
-
-/// The same direction with a largest component in [1/2, 1).
-Vec3<Multiprecision> Normalized(const Vec3<Multiprecision>& v) {
-  mpfr_exp_t largest = mpfr_get_emin();
-  for (const Multiprecision* x : {&v.x, &v.y, &v.z}) {
-    if (mpfr_regular_p(x->get()) != 0) {
-      largest = std::max(largest, mpfr_get_exp(x->get()));
-    }
-  }
-  return TimesTwoTo(v, static_cast<int>(-largest));
-}
-
-const Point3& Vertex(const WeightedContour& contour, int v) {
-  return contour.view.vertices[static_cast<std::size_t>(v)];
 }
 
 /// b - a.
@@ -107,31 +33,31 @@ Vec3<W> Difference(const Point3& a, const Point3& b, mpfr_prec_t precision) {
 }
 
 bool IsVertex(const DirectionRecipe& d) {
-  return d.kind == DirectionRecipe::Kind::kVertex && !d.negated;
+  return d.kind() == DirectionRecipe::Kind::kVertex && !d.negated();
 }
 
 /// The exponent of the largest coordinate relative to r of the scene vertices
 /// that a source's arcs end at; without any, of the ends of their edges.
-int LargestExponent(const WeightedContour& contour, const SourceArcs& source) {
+int LargestExponent(const WeightedContour& contour, SourceId source) {
   const Contour& c = contour.contour;
   double largest = 0;
-  const auto take = [&](int v) {
-    const Point3& p = Vertex(contour, v);
+  const auto take = [&](VertexId v) {
+    const Point3& p = contour.view.vertices[v];
     const Point3& r = contour.view.position;
     largest = std::max({largest, std::fabs(p.x - r.x), std::fabs(p.y - r.y),
                         std::fabs(p.z - r.z)});
   };
   for (const Arc& arc : contour.ArcsOf(source)) {
-    for (const int end : {arc.from, arc.to}) {
-      const DirectionRecipe& d = c.directions[static_cast<std::size_t>(end)];
-      if (IsVertex(d)) take(d.a);
+    for (const DirectionId end : {arc.from, arc.to}) {
+      const DirectionRecipe& d = c.directions[end];
+      if (IsVertex(d)) take(d.vertex());
     }
   }
   for (const Arc& arc : contour.ArcsOf(source)) {
-    const PlaneRecipe& plane = c.planes[static_cast<std::size_t>(arc.plane)];
-    if (largest > 0 || plane.kind != PlaneRecipe::Kind::kEdge) continue;
-    take(plane.a);
-    take(plane.b);
+    const PlaneRecipe& plane = c.planes[arc.plane];
+    if (largest > 0 || plane.kind() != PlaneRecipe::Kind::kEdge) continue;
+    take(plane.from());
+    take(plane.to());
   }
   if (largest == 0 || !std::isfinite(largest)) return 0;
   return std::clamp(std::ilogb(largest), -kMaxExponent, kMaxExponent);
@@ -139,8 +65,8 @@ int LargestExponent(const WeightedContour& contour, const SourceArcs& source) {
 
 template <class W>
 void LoadVectors(const WeightedContour& contour, mpfr_prec_t precision,
-                 std::vector<Vec3<W>>& directions,
-                 std::vector<Vec3<W>>& planes) {
+                 IdVector<DirectionId, Vec3<W>>& directions,
+                 IdVector<PlaneId, Vec3<W>>& planes) {
   const Contour& c = contour.contour;
   if constexpr (std::is_same_v<W, Multiprecision>) {
     const RecipeEvaluator<Exact> exact(contour.view);
@@ -155,59 +81,24 @@ void LoadVectors(const WeightedContour& contour, mpfr_prec_t precision,
   } else {
     BallGeometry<DoubleDouble> geometry;
     geometry.Evaluate(contour);
-    for (std::size_t i = 0; i < c.directions.size(); ++i) {
-      directions.push_back(
-          Balls(geometry.Direction(static_cast<int>(i)).scaled.vector));
-    }
-    for (std::size_t i = 0; i < c.planes.size(); ++i) {
-      planes.push_back(
-          Balls(geometry.Plane(static_cast<int>(i)).normal.vector));
-    }
+    for (const DirectionId id : c.directions.ids())
+      directions.push_back(Balls(geometry.Direction(id).scaled.vector));
+    for (const PlaneId id : c.planes.ids())
+      planes.push_back(Balls(geometry.Plane(id).normal.vector));
   }
 }
 
-/// The receiver's normal, times a power of two.
-template <class W>
-Vec3<W> ReceiverNormal(const WeightedContour& contour) {
-  const Vector3& n = contour.view.normal;
-  const double largest =
-      std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)});
-  // A component that becomes subnormal loses less than 2^-1074 of the largest.
-  const int exponent = -std::ilogb(largest);
-  return {FromDouble<W>(std::ldexp(n.x, exponent)),
-          FromDouble<W>(std::ldexp(n.y, exponent)),
-          FromDouble<W>(std::ldexp(n.z, exponent))};
-}
-
-template <class W>
-Vec3<W> UnitVector(const Vec3<W>& v) {
-  const W length = Sqrt(Dot(v, v));
-  return {v.x / length, v.y / length, v.z / length};
-}
-
-template <class W>
-const W& At(const Vec3<W>& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
-/// The triangle that stands for a facet; -1 if there is none.
-int TriangleOf(const WeightedContour& contour, int facet) {
-  const auto triangles = contour.view.triangles;
-  const auto found =
-      std::ranges::lower_bound(triangles, facet, {}, &Triangle::facet);
-  if (found == triangles.end() || found->facet != facet) return -1;
-  return static_cast<int>(found - triangles.begin());
+/// A triangle in the plane of a facet; none if there is no such triangle.
+TriangleId TriangleOf(const WeightedContour& contour, FacetId facet) {
+  const auto triangles = contour.view.triangles.values();
+  const auto found = std::ranges::lower_bound(
+      triangles, facet, {}, [](const Triangle& t) { return FacetOf(t); });
+  if (found == triangles.end() || FacetOf(*found) != facet) return {};
+  return TriangleId(static_cast<int>(found - triangles.begin()));
 }
 
 /// A worse determinant is taken from exact numbers.
 constexpr double kGoodDeterminant = 0x1p-100;
-
-DoubleDoubleBall BallOfRounded(Multiprecision x) {
-  if (IsZero(x)) return DoubleDoubleBall(0.0);
-  const double high = x.ToDouble();
-  mpfr_sub_d(x.get(), x.get(), high, MPFR_RNDN);
-  return {{high, x.ToDouble()}, RoundBoundUp(0x1p-104 * std::fabs(high))};
-}
 
 }  // namespace
 
@@ -216,78 +107,41 @@ FrameGeometry<W>::FrameGeometry(const WeightedContour& contour,
                                 mpfr_prec_t precision)
     : contour_(contour),
       precision_(precision),
+      frame_(contour.view.normal, precision),
       is_horizon_(PlanesOnHorizon(contour)) {
-  for (const SourceArcs& source : contour.contour.sources)
+  for (const SourceId source : contour.contour.sources.ids())
     exponents_.push_back(LargestExponent(contour, source));
   LoadVectors(contour, precision, directions_, planes_);
-  FindFrame();
   FindHorizon();
-}
-
-template <class W>
-void FrameGeometry<W>::FindFrame() {
-  const Vector3& n = contour_.view.normal;
-  const std::array<double, 3> size = {std::fabs(n.x), std::fabs(n.y),
-                                      std::fabs(n.z)};
-  if (std::ranges::count(size, 0.0) == 2) {
-    axis_ = static_cast<int>(std::ranges::max_element(size) - size.begin());
-    negative_axis_ = n.x < 0 || n.y < 0 || n.z < 0;
-    return;
-  }
-  const auto least = std::ranges::min_element(size) - size.begin();
-  Vec3<W> normal = ReceiverNormal<W>(contour_);
-  if constexpr (std::is_same_v<W, Multiprecision>) {
-    // Exact numbers of 53 bits are to be divided at the full precision.
-    const Multiprecision one(precision_, 1.0);
-    normal = one * normal;
-  }
-  n_ = UnitVector(normal);
-  const W zero = FromDouble<W>(0);
-  // e x n for the axis e that is least along n.
-  if (least == 0) u_ = UnitVector<W>({zero, -n_.z, n_.y});
-  if (least == 1) u_ = UnitVector<W>({n_.z, zero, -n_.x});
-  if (least == 2) u_ = UnitVector<W>({-n_.y, n_.x, zero});
-  v_ = Cross(n_, u_);
-}
-
-template <class W>
-Vec3<W> FrameGeometry<W>::ToFrame(const Vec3<W>& v) const {
-  if (axis_ < 0) return {Dot(u_, v), Dot(v_, v), Dot(n_, v)};
-  const W& next = At(v, (axis_ + 1) % 3);
-  const W& last = At(v, (axis_ + 2) % 3);
-  const W& along = At(v, axis_);
-  if (negative_axis_) return {last, next, -along};
-  return {next, last, along};
 }
 
 template <class W>
 void FrameGeometry<W>::FindHorizon() {
   const Contour& c = contour_.contour;
   const RecipeEvaluator<Exact> exact(contour_.view);
-  const Vec3<W> normal = ReceiverNormal<W>(contour_);
-  for (std::size_t i = 0; i < c.directions.size(); ++i) {
+  const Vec3<W> normal = ScaledNormal<W>(contour_.view.normal);
+  for (const DirectionId id : c.directions.ids()) {
     if constexpr (!std::is_same_v<W, Multiprecision>) {
-      const W height = Dot(normal, directions_[i]);
+      const W height = Dot(normal, directions_[id]);
       if (LowerMagnitude(height.value) > height.error) {
         on_horizon_.push_back(false);
         continue;
       }
     }
     const Vec3<Exact> d =
-        exact.Direction(c.directions[i], c.planes, c.explicit_vectors.All());
+        exact.Direction(c.directions[id], c.planes, c.explicit_vectors.All());
     on_horizon_.push_back(Dot(exact.ReceiverNormal(), d).is_zero());
   }
 }
 
 template <class W>
-W FrameGeometry<W>::OntoPlane(int source, int i) const {
-  const Vec3<W>& d = directions_[static_cast<std::size_t>(i)];
-  const int exponent = exponents_[static_cast<std::size_t>(source)];
-  const int facet =
-      contour_.contour.sources[static_cast<std::size_t>(source)].facet;
-  const int triangle = facet < 0 ? -1 : TriangleOf(contour_, facet);
+W FrameGeometry<W>::OntoPlane(SourceId source, DirectionId id) const {
+  const Vec3<W>& d = directions_[id];
+  const int exponent = exponents_[source];
+  const TriangleId triangle =
+      TriangleOf(contour_, contour_.contour.sources[source].facet);
   double factor = 0;
-  if (triangle >= 0) {
+  if (triangle.valid()) {
     if constexpr (!std::is_same_v<W, Multiprecision>) {
       const RecipeEvaluator<W> rounded(contour_.view);
       const W distance =
@@ -313,61 +167,55 @@ W FrameGeometry<W>::OntoPlane(int source, int i) const {
 }
 
 template <class W>
-Vec3<W> FrameGeometry<W>::Point(int source, int i) const {
-  const auto k = static_cast<std::size_t>(i);
-  const DirectionRecipe& recipe = contour_.contour.directions[k];
+Vec3<W> FrameGeometry<W>::Point(SourceId source, DirectionId id) const {
+  const DirectionRecipe& recipe = contour_.contour.directions[id];
   Vec3<W> point =
       IsVertex(recipe)
-          ? Scaled(source, contour_.view.position, Vertex(contour_, recipe.a))
-          : ToFrame(OntoPlane(source, i) * directions_[k]);
-  point.z = on_horizon_[k] ? FromDouble<W>(0) : NotBelowZero(point.z);
+          ? Scaled(source, contour_.view.position,
+                   contour_.view.vertices[recipe.vertex()])
+          : frame_.FromScene(OntoPlane(source, id) * directions_[id]);
+  point.z = OnHorizon(id) ? FromDouble<W>(0) : NotBelowZero(point.z);
   return point;
 }
 
 template <class W>
-Vec3<W> FrameGeometry<W>::Between(int source, int i, int j) const {
-  const DirectionRecipe& from =
-      contour_.contour.directions[static_cast<std::size_t>(i)];
-  const DirectionRecipe& to =
-      contour_.contour.directions[static_cast<std::size_t>(j)];
-  Vec3<W> difference;
-  if (IsVertex(from) && IsVertex(to)) {
-    difference = Edge(source, from.a, to.a);
-  } else {
-    difference = Point(source, j) - Point(source, i);
-  }
-  if (OnHorizon(i) && OnHorizon(j)) difference.z = FromDouble<W>(0);
+Vec3<W> FrameGeometry<W>::Between(SourceId source, DirectionId a,
+                                  DirectionId b) const {
+  const DirectionRecipe& from = contour_.contour.directions[a];
+  const DirectionRecipe& to = contour_.contour.directions[b];
+  Vec3<W> difference = IsVertex(from) && IsVertex(to)
+                           ? Edge(source, from.vertex(), to.vertex())
+                           : Point(source, b) - Point(source, a);
+  if (OnHorizon(a) && OnHorizon(b)) difference.z = FromDouble<W>(0);
   return difference;
 }
 
 template <class W>
-Vec3<W> FrameGeometry<W>::Scaled(int source, const Point3& a,
+Vec3<W> FrameGeometry<W>::Scaled(SourceId source, const Point3& a,
                                  const Point3& b) const {
-  return ToFrame(TimesTwoTo(Difference<W>(a, b, precision_),
-                            -exponents_[static_cast<std::size_t>(source)]));
+  return frame_.FromScene(
+      TimesTwoTo(Difference<W>(a, b, precision_), -exponents_[source]));
 }
 
 template <class W>
-Vec3<W> FrameGeometry<W>::Edge(int source, int a, int b) const {
-  return Scaled(source, Vertex(contour_, a), Vertex(contour_, b));
+Vec3<W> FrameGeometry<W>::Edge(SourceId source, VertexId a, VertexId b) const {
+  return Scaled(source, contour_.view.vertices[a], contour_.view.vertices[b]);
 }
 
 template <class W>
-Vec3<W> FrameGeometry<W>::Plane(int i) const {
-  Vec3<W> normal = ToFrame(planes_[static_cast<std::size_t>(i)]);
-  if (IsHorizon(i)) normal.x = normal.y = FromDouble<W>(0);
+Vec3<W> FrameGeometry<W>::Plane(PlaneId id) const {
+  Vec3<W> normal = frame_.FromScene(planes_[id]);
+  if (IsHorizon(id)) normal.x = normal.y = FromDouble<W>(0);
   return normal;
 }
 
 template <class W>
-W FrameGeometry<W>::UnitDeterminant(int a, int b, int c) const {
-  const std::array<std::size_t, 3> ends = {static_cast<std::size_t>(a),
-                                           static_cast<std::size_t>(b),
-                                           static_cast<std::size_t>(c)};
+W FrameGeometry<W>::UnitDeterminant(DirectionId a, DirectionId b,
+                                    DirectionId c) const {
   if constexpr (!std::is_same_v<W, Multiprecision>) {
-    const Vec3<W>& x = directions_[ends[0]];
-    const Vec3<W>& y = directions_[ends[1]];
-    const Vec3<W>& z = directions_[ends[2]];
+    const Vec3<W>& x = directions_[a];
+    const Vec3<W>& y = directions_[b];
+    const Vec3<W>& z = directions_[c];
     const W determinant = Determinant(x, y, z) / Sqrt(Dot(x, x)) /
                           Sqrt(Dot(y, y)) / Sqrt(Dot(z, z));
     if (determinant.error <=
@@ -377,11 +225,12 @@ W FrameGeometry<W>::UnitDeterminant(int a, int b, int c) const {
   }
   const RecipeEvaluator<Exact> exact(contour_.view);
   const Contour& contour = contour_.contour;
-  std::array<Vec3<Exact>, 3> d;
-  for (std::size_t k = 0; k < 3; ++k) {
-    d[k] = exact.Direction(contour.directions[ends[k]], contour.planes,
+  const auto direction = [&](DirectionId id) {
+    return exact.Direction(contour.directions[id], contour.planes,
                            contour.explicit_vectors.All());
-  }
+  };
+  const std::array<Vec3<Exact>, 3> d = {direction(a), direction(b),
+                                        direction(c)};
   const mpfr_prec_t precision =
       std::is_same_v<W, Multiprecision> ? precision_ : kConversionBits;
   Multiprecision result(precision, Determinant(d[0], d[1], d[2]));

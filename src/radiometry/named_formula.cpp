@@ -1,5 +1,6 @@
 #include "radiometry/named_formula.h"
 
+#include <cassert>
 #include <limits>
 
 #include "radiometry/formula_evaluation.h"
@@ -35,14 +36,14 @@ B BestOf(const FormulaEvaluation<B>& formulas, std::size_t i) {
 
 std::array<Ball<double>, 3> EvaluateByFormula(
     const WeightedContour& contour, const EvaluationQuery& evaluation) {
+  assert(!contour.contour.is_joined);
   const bool is_auto = evaluation.formula == Formula::kAuto;
   FormulaEvaluation<B> formulas(contour, evaluation.half_side);
   // What the series needs serves all candidates.
   formulas.Prepare(is_auto ? Formula::kSeries : evaluation.formula);
   ChannelSums<double> sums(contour);
   for (std::size_t i = 0; i < formulas.lit().size(); ++i) {
-    const auto source = static_cast<std::size_t>(formulas.lit()[i]);
-    sums.Add(source,
+    sums.Add(formulas.lit()[i],
              is_auto ? BestOf(formulas, i)
                      : WholeBound(formulas.Evaluate(evaluation.formula, i)));
   }

@@ -62,7 +62,6 @@ void RequireReceivers(std::span<const Receiver> receivers, const Scene& scene) {
   }
 }
 
-
 void BuildContour(const ContourQuery& query, Engine engine,
                   OracleWorkspace& workspace) {
   if (engine == Engine::kContour) {
@@ -122,7 +121,7 @@ void Oracle::Evaluate(
   // A formula by name needs the whole contour of every source.
   const bool join = options_.method == Method::kCertified ||
                     options_.formula == Formula::kAuto;
-  ContourQuery query{scene(), {}, 0, join};
+  ContourQuery query{scene(), {}, {}, join};
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     if (i % kReceiverBlock == 0) {
       workspace->builder.StartBlock(
@@ -164,7 +163,7 @@ std::optional<Rgb> Oracle::EvaluateFormula(const Receiver& receiver,
   if (precision < 53) {
     throw std::invalid_argument("the precision is less than 53 bits");
   }
-  const ContourQuery query{scene(), receiver, 0};
+  const ContourQuery query{scene(), receiver};
   const auto workspace = prepared_.data_->Borrow();
   workspace->builder.StartBlock({});  // whatever it was used for before
   BuildContour(query, options_.engine, *workspace);
@@ -193,7 +192,7 @@ Irradiance Oracle::FormFactor(const Receiver& receiver, int face) const {
   RequireReceiver(receiver, scene());
   const std::string defect = FaceDefect(face, 1, scene(), "the face number");
   if (!defect.empty()) throw std::invalid_argument(defect);
-  const ContourQuery query{scene(), receiver, face};
+  const ContourQuery query{scene(), receiver, FaceNumber(face)};
   const auto workspace = prepared_.data_->Borrow();
   return Answer(query, options_.engine,
                 {options_.method, Emission::kExitance, options_.formula,
@@ -203,7 +202,7 @@ Irradiance Oracle::FormFactor(const Receiver& receiver, int face) const {
 
 FormFactorTable Oracle::FormFactors(const Receiver& receiver) const {
   RequireReceiver(receiver, scene());
-  const ContourQuery query{scene(), receiver, 0};
+  const ContourQuery query{scene(), receiver};
   const EvaluationQuery evaluation{options_.method, Emission::kExitance,
                                    options_.formula, options_.half_side};
   if (options_.engine == Engine::kAngularSpans) {
@@ -218,7 +217,7 @@ FormFactorTable Oracle::FormFactors(const Receiver& receiver) const {
 
 VisibleContour Oracle::Contour(const Receiver& receiver) const {
   RequireReceiver(receiver, scene());
-  const ContourQuery query{scene(), receiver, 0};
+  const ContourQuery query{scene(), receiver};
   const auto workspace = prepared_.data_->Borrow();
   workspace->builder.StartBlock({});  // whatever it was used for before
   BuildContour(query, options_.engine, *workspace);

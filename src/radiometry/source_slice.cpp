@@ -1,18 +1,10 @@
 #include "radiometry/source_slice.h"
 
-#include <cstddef>
-
 #include "exact/number.h"
 #include "exact/vec3.h"
 
 namespace truelux {
 namespace {
-
-constexpr int kNotTaken = -1;
-
-std::size_t Index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 void Clear(Contour& contour) {
   contour.planes.clear();
@@ -28,62 +20,66 @@ void Clear(Contour& contour) {
 
 SourceSlicer::SourceSlicer(const Contour& contour)
     : contour_(contour),
-      plane_index_(contour.planes.size(), kNotTaken),
-      direction_index_(contour.directions.size(), kNotTaken) {}
+      plane_in_slice_(contour.planes.size()),
+      direction_in_slice_(contour.directions.size()) {}
 
-void SourceSlicer::Take(std::size_t first, std::size_t count, Contour& slice) {
+void SourceSlicer::Take(SourceId first, int count, Contour& slice) {
   Clear(slice);
   slice_ = &slice;
-  for (std::size_t i = first; i < first + count; ++i)
-    AddSource(contour_.sources[i]);
-  for (const int plane : planes_)
-    plane_index_[Index(plane)] = kNotTaken;
-  for (const int direction : directions_)
-    direction_index_[Index(direction)] = kNotTaken;
+  for (const SourceId source : IdRange<SourceId>(first, count))
+    AddSource(contour_.sources[source]);
+  for (const PlaneId plane : planes_)
+    plane_in_slice_[plane] = {};
+  for (const DirectionId direction : directions_)
+    direction_in_slice_[direction] = {};
   planes_.clear();
   directions_.clear();
 }
 
 void SourceSlicer::AddSource(const SourceArcs& source) {
   slice_->sources.push_back(
-      {source.facet, static_cast<int>(slice_->arcs.size()), source.arc_count});
-  for (int a = source.first_arc; a < source.first_arc + source.arc_count; ++a) {
-    Arc arc = contour_.arcs[Index(a)];
-    arc.plane = PlaneIndex(arc.plane);
-    arc.from = DirectionIndex(arc.from);
-    arc.to = DirectionIndex(arc.to);
+      {source.facet, slice_->arcs.end_id(), source.arc_count});
+  for (Arc arc : contour_.ArcsOf(source)) {
+    arc.plane = PlaneOf(arc.plane);
+    arc.from = DirectionOf(arc.from);
+    arc.to = DirectionOf(arc.to);
     slice_->arcs.push_back(arc);
   }
 }
 
-int SourceSlicer::PlaneIndex(int plane) {
-  int& index = plane_index_[Index(plane)];
-  if (index != kNotTaken) return index;
-  PlaneRecipe recipe = contour_.planes[Index(plane)];
-  if (recipe.kind == PlaneRecipe::Kind::kExplicit)
-    recipe.a =
-        slice_->explicit_vectors.Add(contour_.explicit_vectors[recipe.a]);
-  index = static_cast<int>(slice_->planes.size());
+PlaneId SourceSlicer::PlaneOf(PlaneId plane) {
+  if (plane_in_slice_[plane].valid()) return plane_in_slice_[plane];
+  PlaneRecipe recipe = contour_.planes[plane];
+  if (recipe.kind() == PlaneRecipe::Kind::kExplicit) {
+    recipe = PlaneRecipe::Explicit(
+                 slice_->explicit_vectors.Add(
+                     contour_.explicit_vectors[recipe.explicit_vector()]))
+                 .NegatedIf(recipe.negated());
+  }
+  const PlaneId taken = slice_->planes.push_back(recipe);
   planes_.push_back(plane);
-  slice_->planes.push_back(recipe);
-  return index;
+  plane_in_slice_[plane] = taken;
+  return taken;
 }
 
-int SourceSlicer::DirectionIndex(int direction) {
-  int& index = direction_index_[Index(direction)];
-  if (index != kNotTaken) return index;
-  DirectionRecipe recipe = contour_.directions[Index(direction)];
-  if (recipe.kind == DirectionRecipe::Kind::kExplicit) {
-    recipe.a =
-        slice_->explicit_vectors.Add(contour_.explicit_vectors[recipe.a]);
-  } else if (recipe.kind == DirectionRecipe::Kind::kCrossing) {
-    recipe.a = PlaneIndex(recipe.a);
-    recipe.b = PlaneIndex(recipe.b);
+DirectionId SourceSlicer::DirectionOf(DirectionId direction) {
+  if (direction_in_slice_[direction].valid())
+    return direction_in_slice_[direction];
+  DirectionRecipe recipe = contour_.directions[direction];
+  if (recipe.kind() == DirectionRecipe::Kind::kExplicit) {
+    recipe = DirectionRecipe::Explicit(
+                 slice_->explicit_vectors.Add(
+                     contour_.explicit_vectors[recipe.explicit_vector()]))
+                 .NegatedIf(recipe.negated());
+  } else if (recipe.kind() == DirectionRecipe::Kind::kCrossing) {
+    recipe = DirectionRecipe::Crossing(PlaneOf(recipe.first_plane()),
+                                       PlaneOf(recipe.second_plane()))
+                 .NegatedIf(recipe.negated());
   }
-  index = static_cast<int>(slice_->directions.size());
+  const DirectionId taken = slice_->directions.push_back(recipe);
   directions_.push_back(direction);
-  slice_->directions.push_back(recipe);
-  return index;
+  direction_in_slice_[direction] = taken;
+  return taken;
 }
 
 }  // namespace truelux

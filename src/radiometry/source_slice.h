@@ -3,9 +3,10 @@
 #ifndef TRUELUX_RADIOMETRY_SOURCE_SLICE_H_
 #define TRUELUX_RADIOMETRY_SOURCE_SLICE_H_
 
-#include <cstddef>
 #include <vector>
 
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "visibility/contour.h"
 
 namespace truelux {
@@ -20,21 +21,21 @@ class SourceSlicer {
   /// Makes `slice`, whose memory is used again, the contour of `count` sources
   /// from `first` on: their arcs, with the planes and directions that these
   /// need. Its statistics are zero.
-  void Take(std::size_t first, std::size_t count, Contour& slice);
+  void Take(SourceId first, int count, Contour& slice);
 
  private:
   void AddSource(const SourceArcs& source);
-  int PlaneIndex(int plane);
-  int DirectionIndex(int direction);
+  PlaneId PlaneOf(PlaneId plane);
+  DirectionId DirectionOf(DirectionId direction);
 
   const Contour& contour_;
   Contour* slice_ = nullptr;  ///< of the call that is running
-  // Per plane and direction of the contour, its index in the slice, or -1.
-  std::vector<int> plane_index_;
-  std::vector<int> direction_index_;
+  // Per plane and direction of the contour, its id in the slice, or none.
+  IdVector<PlaneId, PlaneId> plane_in_slice_;
+  IdVector<DirectionId, DirectionId> direction_in_slice_;
   // Those that the slice has, to be taken back.
-  std::vector<int> planes_;
-  std::vector<int> directions_;
+  std::vector<PlaneId> planes_;
+  std::vector<DirectionId> directions_;
 };
 
 }  // namespace truelux

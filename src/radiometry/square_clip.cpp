@@ -76,20 +76,17 @@ class Cutter {
   void Cut(const SquareSide& side) {
     FindSides(side.normal);
     if (!any_outside_) return;
-    const int plane = AddPlane(side.normal);
-    const int reference = AddDirection(side.reference);
-    std::vector<Arc> arcs;
-    for (std::size_t i = 0; i < contour_.sources.size(); ++i) {
-      SourceArcs& source = contour_.sources[i];
-      const auto first = static_cast<std::size_t>(source.first_arc);
-      const auto count = static_cast<std::size_t>(source.arc_count);
-      source.first_arc = static_cast<int>(arcs.size());
-      for (std::size_t k = first; k < first + count; ++k) {
-        // By value: AddDirection may be called for it.
-        const Arc arc = contour_.arcs[k];
-        if (!CutArc(arc, side, plane, reference, arcs)) is_cut_[i] = true;
+    const PlaneId plane = AddPlane(side.normal);
+    const DirectionId reference = AddDirection(side.reference);
+    IdVector<ArcId, Arc> arcs;
+    for (const SourceId id : contour_.sources.ids()) {
+      SourceArcs& source = contour_.sources[id];
+      const ArcId first = arcs.end_id();
+      for (const Arc& arc : contour_.ArcsOf(source)) {
+        if (!CutArc(arc, side, plane, reference, arcs)) is_cut_[id] = true;
       }
-      source.arc_count = static_cast<int>(arcs.size()) - source.first_arc;
+      source.first_arc = first;
+      source.arc_count = arcs.end_id().value() - first.value();
     }
     contour_.arcs = std::move(arcs);
   }
@@ -105,16 +102,15 @@ class Cutter {
                        FromExact<B>::Of(normal.z)};
     side_.clear();
     any_outside_ = false;
-    for (std::size_t i = 0; i < contour_.directions.size(); ++i) {
+    for (const DirectionId id : contour_.directions.ids()) {
       const B height =
-          Dot(n, rounded.Direction(contour_.directions[i], contour_.planes,
+          Dot(n, rounded.Direction(contour_.directions[id], contour_.planes,
                                    contour_.explicit_vectors.All()));
       int side = std::fabs(height.value) > height.error
                      ? (height.value > 0 ? 1 : -1)
                      : 0;
       if (side == 0) {
-        side = static_cast<int>(
-            SignOf(Dot(normal, Direction(static_cast<int>(i)))));
+        side = static_cast<int>(SignOf(Dot(normal, Direction(id))));
       }
       side_.push_back(side);
       any_outside_ = any_outside_ || side < 0;
@@ -123,10 +119,10 @@ class Cutter {
 
   /// Appends what is inside of an arc, and what closes it. False if some of it
   /// is outside.
-  bool CutArc(Arc arc, const SquareSide& side, int plane, int reference,
-              std::vector<Arc>& arcs) {
-    const bool from_inside = SideOf(arc.from) >= 0;
-    const bool to_inside = SideOf(arc.to) >= 0;
+  bool CutArc(Arc arc, const SquareSide& side, PlaneId plane,
+              DirectionId reference, IdVector<ArcId, Arc>& arcs) {
+    const bool from_inside = side_[arc.from] >= 0;
+    const bool to_inside = side_[arc.to] >= 0;
     if (from_inside && to_inside) {
       arcs.push_back(arc);
       return true;
@@ -139,8 +135,8 @@ class Cutter {
     Vec3<Exact> crossing = from_inside ? h1 * d2 - h2 * d1 : h2 * d1 - h1 * d2;
     const Sign turn =
         SignOf(Determinant(crossing, side.reference, side.normal));
-    const int point = AddDirection(std::move(crossing));
-    const bool is_point = SideOf(from_inside ? arc.from : arc.to) == 0;
+    const DirectionId point = AddDirection(std::move(crossing));
+    const bool is_point = side_[from_inside ? arc.from : arc.to] == 0;
     if (from_inside) {
       arc.to = point;
     } else {
@@ -150,41 +146,32 @@ class Cutter {
     if (turn != Sign::kZero) {
       const bool positive = (turn == Sign::kPositive) == from_inside;
       arcs.push_back({plane, positive, from_inside ? point : reference,
-                      from_inside ? reference : point, 0});
+                      from_inside ? reference : point, FaceNumber()});
     }
     return false;
   }
 
-  [[nodiscard]] int SideOf(int direction) const {
-    return side_[static_cast<std::size_t>(direction)];
-  }
-
-  [[nodiscard]] Vec3<Exact> Direction(int i) const {
+  [[nodiscard]] Vec3<Exact> Direction(DirectionId id) const {
     return RecipeEvaluator<Exact>(view_).Direction(
-        contour_.directions[static_cast<std::size_t>(i)], contour_.planes,
+        contour_.directions[id], contour_.planes,
         contour_.explicit_vectors.All());
   }
 
-  int AddExplicit(Vec3<Exact> v) {
-    return contour_.explicit_vectors.Add(std::move(v));
+  PlaneId AddPlane(const Vec3<Exact>& normal) {
+    return contour_.planes.push_back(
+        PlaneRecipe::Explicit(contour_.explicit_vectors.Add(normal)));
   }
 
-  int AddPlane(const Vec3<Exact>& normal) {
-    contour_.planes.push_back(
-        {.kind = PlaneRecipe::Kind::kExplicit, .a = AddExplicit(normal)});
-    return static_cast<int>(contour_.planes.size()) - 1;
-  }
-
-  int AddDirection(Vec3<Exact> direction) {
-    contour_.directions.push_back({.kind = DirectionRecipe::Kind::kExplicit,
-                                   .a = AddExplicit(std::move(direction))});
-    return static_cast<int>(contour_.directions.size()) - 1;
+  DirectionId AddDirection(Vec3<Exact> direction) {
+    return contour_.directions.push_back(DirectionRecipe::Explicit(
+        contour_.explicit_vectors.Add(std::move(direction))));
   }
 
   ReceiverView view_;
   Contour contour_;
-  std::vector<bool> is_cut_;
-  std::vector<int> side_;  ///< of each direction that was there before a cut
+  IdVector<SourceId, bool> is_cut_;
+  /// Of each direction that was there before a cut.
+  IdVector<DirectionId, int> side_;
   bool any_outside_ = false;
 };
 

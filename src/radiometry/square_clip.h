@@ -3,8 +3,8 @@
 #ifndef TRUELUX_RADIOMETRY_SQUARE_CLIP_H_
 #define TRUELUX_RADIOMETRY_SQUARE_CLIP_H_
 
-#include <vector>
-
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "radiometry/weighted_contour.h"
 #include "visibility/contour.h"
 
@@ -15,7 +15,7 @@ struct BoundedContour {
   /// Its sources are those of the contour it was made from, in that order; one
   /// that was cut off whole has no arcs.
   Contour contour;
-  std::vector<bool> is_cut;  ///< for each source
+  IdVector<SourceId, bool> is_cut;
 };
 
 /// What is cut off a source at most, as a form factor [1]: 1 / (1 + R^2), the

@@ -12,7 +12,7 @@ bool MayBeZero(const Ball<double>& x) {
 }
 
 bool IsParallel(const WeightedContour& contour, const PlaneRecipe& plane) {
-  if (plane.kind == PlaneRecipe::Kind::kHorizon) return true;
+  if (plane.kind() == PlaneRecipe::Kind::kHorizon) return true;
   const auto explicit_vectors = contour.contour.explicit_vectors.All();
   const RecipeEvaluator<Ball<double>> rounded(contour.view);
   const Vec3<Ball<double>> w =
@@ -26,12 +26,12 @@ bool IsParallel(const WeightedContour& contour, const PlaneRecipe& plane) {
 
 }  // namespace
 
-bool WeightedContour::IsLit(std::size_t i) const {
-  return IsLit(i, 0) || IsLit(i, 1) || IsLit(i, 2);
+bool WeightedContour::IsLit(SourceId source) const {
+  return IsLit(source, 0) || IsLit(source, 1) || IsLit(source, 2);
 }
 
-std::vector<bool> PlanesOnHorizon(const WeightedContour& contour) {
-  std::vector<bool> result;
+HorizonPlanes PlanesOnHorizon(const WeightedContour& contour) {
+  HorizonPlanes result;
   result.reserve(contour.contour.planes.size());
   for (const PlaneRecipe& plane : contour.contour.planes) {
     result.push_back(IsParallel(contour, plane));

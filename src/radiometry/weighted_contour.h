@@ -1,14 +1,20 @@
 // The input of every evaluation stage: a visible contour, what its recipes
 // refer to, and what each source emits.
+//
+// Letters: r the receiver, n its normal; N the normal of a plane through r; M
+// the exitance and L the radiance of a source, M = pi L; E the irradiance, F the
+// form factor, E = sum of M F.
 
 #ifndef TRUELUX_RADIOMETRY_WEIGHTED_CONTOUR_H_
 #define TRUELUX_RADIOMETRY_WEIGHTED_CONTOUR_H_
 
+#include <cstddef>
 #include <span>
-#include <vector>
 
 #include "truelux/geometry.h"
 
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "visibility/contour.h"
 
 namespace truelux {
@@ -21,25 +27,33 @@ struct WeightedContour {
   /// Emission::kRadiance; finite and not negative.
   std::span<const Rgb> weights;
 
-  [[nodiscard]] std::span<const Arc> ArcsOf(const SourceArcs& source) const {
-    return std::span(contour.arcs)
-        .subspan(static_cast<std::size_t>(source.first_arc),
-                 static_cast<std::size_t>(source.arc_count));
+  /// What a source emits.
+  [[nodiscard]] const Rgb& WeightOf(SourceId source) const {
+    return weights[source.index()];
   }
 
-  /// Whether source i has arcs and emits in some channel.
-  [[nodiscard]] bool IsLit(std::size_t i) const;
+  /// The arcs of one source.
+  [[nodiscard]] std::span<const Arc> ArcsOf(SourceId source) const {
+    return contour.ArcsOf(contour.sources[source]);
+  }
 
-  /// Whether any source has arcs and emits in this channel; E is exactly 0 in
-  /// the others.
-  [[nodiscard]] bool IsLit(std::size_t i, std::size_t channel) const {
-    return contour.sources[i].arc_count > 0 && weights[i][channel] > 0;
+  /// Whether a source has arcs and emits in some channel.
+  [[nodiscard]] bool IsLit(SourceId source) const;
+
+  /// Whether a source has arcs and emits in this channel. E is exactly 0 in
+  /// the channels in which none does.
+  [[nodiscard]] bool IsLit(SourceId source, std::size_t channel) const {
+    return contour.sources[source].arc_count > 0 &&
+           WeightOf(source)[channel] > 0;
   }
 };
 
+/// For each plane of a contour, whether it is exactly the receiver plane.
+using HorizonPlanes = IdVector<PlaneId, bool>;
+
 /// For each plane of the contour whether it is exactly the receiver plane,
 /// N x n = 0. Such arcs have a row of their own in Figure 11.
-std::vector<bool> PlanesOnHorizon(const WeightedContour& contour);
+HorizonPlanes PlanesOnHorizon(const WeightedContour& contour);
 
 }  // namespace truelux
 

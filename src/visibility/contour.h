@@ -10,12 +10,14 @@
 #ifndef TRUELUX_VISIBILITY_CONTOUR_H_
 #define TRUELUX_VISIBILITY_CONTOUR_H_
 
-#include <vector>
+#include <span>
 
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 #include "truelux/statistics.h"
 
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "base/stamped_table.h"
 #include "exact/explicit_vectors.h"
 #include "exact/recipe.h"
@@ -24,42 +26,47 @@ namespace truelux {
 
 /// Part of the boundary of the visible region of one source.
 struct Arc {
-  int plane = -1;        ///< index into Contour::planes
+  PlaneId plane;
   bool positive = true;  ///< the visible side is N . d > 0 (else N . d < 0)
-  int from = -1;         ///< index into Contour::directions
-  int to = -1;           ///< (from x to) . N > 0 if positive, else < 0
-  int edge_face = 0;     ///< face number of the edge it lies on; 0: horizon,
-                         ///< or not known
+  DirectionId from;
+  DirectionId to;        ///< (from x to) . N > 0 if positive, else < 0
+  FaceNumber edge_face;  ///< of the edge it lies on; none: horizon, or not
+                         ///< known
 };
 
 /// The arcs first_arc .. first_arc + arc_count - 1 bound what is visible of
 /// one facet (or, from the contour engine, of one triangle of it).
 struct SourceArcs {
-  int facet = -1;  ///< index into Scene::facets()
-  int first_arc = 0;
+  FacetId facet;
+  ArcId first_arc{0};
   int arc_count = 0;
 };
 
 /// Sources of which nothing is visible have no entry.
 struct Contour {
-  std::vector<PlaneRecipe> planes;
-  std::vector<DirectionRecipe> directions;
+  IdVector<PlaneId, PlaneRecipe> planes;
+  IdVector<DirectionId, DirectionRecipe> directions;
   ExplicitVectors explicit_vectors;
-  std::vector<Arc> arcs;
-  std::vector<SourceArcs> sources;
+  IdVector<ArcId, Arc> arcs;
+  IdVector<SourceId, SourceArcs> sources;
   /// Arcs between sources that emit the same were left out: only the sum over
   /// all sources is bounded completely.
   bool is_joined = false;
   Statistics statistics;  ///< the predicates' part
+
+  /// The arcs of one source.
+  [[nodiscard]] std::span<const Arc> ArcsOf(const SourceArcs& source) const {
+    return arcs.Part(source.first_arc, source.arc_count);
+  }
 };
 
 /// What an engine is asked.
 struct ContourQuery {
   Scene scene;
   Receiver receiver;
-  /// Face number of the only face taken as a source (also if black); 0: every
-  /// face that emits in some channel.
-  int only_source = 0;
+  /// The only face taken as a source (also if black); none: every face that
+  /// emits in some channel.
+  FaceNumber only_source{};
   /// Whether arcs between two emitting faces may be left out where both emit
   /// the same: then the sum over all sources is right, each one's is not.
   bool join_sources = false;
@@ -72,7 +79,7 @@ ReceiverView ViewOf(const ContourQuery& query);
 /// of that face and those in exactly the same plane as one of them. One entry
 /// per facet, empty if on_face is 0. (Facets whose plane contains r are left
 /// out by the engines themselves.)
-std::vector<bool> IgnoredFacets(const ContourQuery& query);
+IdVector<FacetId, bool> IgnoredFacets(const ContourQuery& query);
 
 /// The same, facet by facet as they are asked for, remembered as long as
 /// receivers name the same face.
@@ -81,16 +88,17 @@ class IgnoredFacetCache {
   explicit IgnoredFacetCache(const Scene& scene);
 
   /// on_face: as in Receiver.
-  void SetOnFace(int on_face);
+  void SetOnFace(FaceNumber on_face);
 
-  bool IsIgnored(int facet) { return on_face_ != 0 && Ask(facet); }
+  /// Whether a facet is not there.
+  bool IsIgnored(FacetId facet) { return on_face_.valid() && Ask(facet); }
 
  private:
-  bool Ask(int facet);
-  [[nodiscard]] bool IsInPlaneOfFace(int facet) const;
+  bool Ask(FacetId facet);
+  [[nodiscard]] bool IsInPlaneOfFace(FacetId facet) const;
 
   const Scene& scene_;
-  int on_face_ = 0;
+  FaceNumber on_face_;
   StampedTable<bool> is_ignored_;  ///< per facet, once a face was named
 };
 

@@ -7,6 +7,7 @@
 
 #include "exact/primitive.h"
 #include "exact/recipe_evaluator.h"
+#include "scene/scene_access.h"
 #include "visibility/arc_cleanup.h"
 #include "visibility/coincidence.h"
 #include "visibility/view/edges_at.h"
@@ -73,20 +74,16 @@ class Describer {
 
  private:
   void DescribeSource(const SourceArcs& source) {
-    const SourceEdges edges(query_, source.facet, in_detail_);
-    const int face =
-        query_.scene.facets()[static_cast<std::size_t>(source.facet)].face;
-    for (int a = source.first_arc; a < source.first_arc + source.arc_count;
-         ++a) {
-      const Arc& arc = contour_.arcs[static_cast<std::size_t>(a)];
+    const SourceEdges edges(query_, source.facet.value(), in_detail_);
+    const FaceNumber face = NumberOf(FaceOf(query_.scene, source.facet));
+    for (const Arc& arc : contour_.ArcsOf(source)) {
       ContourArc described;
       described.from = VertexOf(arc.from, edges);
       described.to = VertexOf(arc.to, edges);
-      described.source = face + 1;
-      described.edge_face = arc.edge_face;
-      const Vec3<Exact> normal =
-          evaluator_.Plane(contour_.planes[static_cast<std::size_t>(arc.plane)],
-                           contour_.explicit_vectors.All());
+      described.source = face.value();
+      described.edge_face = arc.edge_face.value();
+      const Vec3<Exact> normal = evaluator_.Plane(
+          contour_.planes[arc.plane], contour_.explicit_vectors.All());
       const PrimitiveVector plane =
           MakePrimitive(arc.positive ? normal : -normal);
       described.plane_normal = ToDouble(plane);
@@ -130,10 +127,10 @@ class Describer {
 
   /// The public vertex of a direction. A vertex that bounds several sources
   /// is described by what coincides in front of any of them.
-  int VertexOf(int direction, const SourceEdges& edges) {
-    const Vec3<Exact> d = evaluator_.Direction(
-        contour_.directions[static_cast<std::size_t>(direction)],
-        contour_.planes, contour_.explicit_vectors.All());
+  int VertexOf(DirectionId direction, const SourceEdges& edges) {
+    const Vec3<Exact> d =
+        evaluator_.Direction(contour_.directions[direction], contour_.planes,
+                             contour_.explicit_vectors.All());
     const auto [entry, is_new] = index_.try_emplace(
         MakePrimitive(d), static_cast<int>(result_.vertices.size()));
     const auto index = static_cast<std::size_t>(entry->second);

@@ -27,8 +27,7 @@ TEST(PlaneSide, IsZeroAtTheEndsOfItsOwnEdge) {
     }
     const RoundUpward rounding;
     ViewGeometry g = f.Make();
-    const int plane =
-        g.AddPlane({.kind = PlaneRecipe::Kind::kEdge, .a = 0, .b = 1});
+    const int plane = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
     for (const int vertex : {0, 1}) {
       const int d = g.VertexDirection(vertex);
       EXPECT_EQ(g.PlaneSide(plane, d).sign, Sign::kZero);
@@ -53,20 +52,16 @@ TEST(PlaneSide, ClippedEndsLieExactlyOnTheClippingPlane) {
                   {0, -5, random.Uniform(-1, 1)});
     const RoundUpward rounding;
     ViewGeometry g = f.Make();
-    const int horizon = g.AddPlane({.kind = PlaneRecipe::Kind::kHorizon});
+    const int horizon = g.AddPlane(PlaneRecipe::OfHorizon());
     const int up = g.AddDirection(
-        {.kind = DirectionRecipe::Kind::kEdgeAtHorizon, .a = 0, .b = 1});
+        DirectionRecipe::EdgeAtHorizon(VertexId(0), VertexId(1)));
     EXPECT_EQ(g.PlaneSide(horizon, up).sign, Sign::kZero);
     const bool front = g.VertexSide(1, 0) == Sign::kPositive;
-    const int cut_end =
-        g.AddDirection({.kind = DirectionRecipe::Kind::kEdgeAtPlane,
-                        .a = front ? 0 : 1,
-                        .b = front ? 1 : 0,
-                        .c = 1});
+    const int cut_end = g.AddDirection(DirectionRecipe::EdgeAtPlane(
+        VertexId(front ? 0 : 1), VertexId(front ? 1 : 0), TriangleId(1)));
     const int cut =
-        g.AddPlane({.kind = PlaneRecipe::Kind::kCut, .a = 1, .b = 0});
-    const int edge =
-        g.AddPlane({.kind = PlaneRecipe::Kind::kEdge, .a = 0, .b = 1});
+        g.AddPlane(PlaneRecipe::OfCut(TriangleId(1), TriangleId(0)));
+    const int edge = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
     EXPECT_EQ(g.PlaneSide(cut, cut_end).sign, Sign::kZero);
     EXPECT_EQ(g.PlaneSide(edge, cut_end).sign, Sign::kZero);
     EXPECT_EQ(g.PlaneSide(edge, up).sign, Sign::kZero);
@@ -102,8 +97,7 @@ TEST(PlaneSide, StagesAgreeOnNearTies) {
     f.vertices = {a, b, c};
     const RoundUpward rounding;
     ViewGeometry g = f.Make();
-    const int plane =
-        g.AddPlane({.kind = PlaneRecipe::Kind::kEdge, .a = 0, .b = 1});
+    const int plane = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
     const int d = g.VertexDirection(2);
     const Sign exact = g.PlaneSideExact(plane, d);
     if (const auto sign = g.PlaneSideInterval(plane, d)) {
@@ -146,13 +140,12 @@ TEST(EdgeOrder, StagesAgreeOnNearTiesAndAreTransitive) {
     ViewGeometry g = f.Make();
     const int u = g.VertexDirection(0);
     const int v = g.VertexDirection(1);
-    const int n =
-        g.AddPlane({.kind = PlaneRecipe::Kind::kEdge, .a = 0, .b = 1});
+    const int n = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
     std::array<Crossing, 3> c;
     bool proper = true;
     for (int k = 0; k < 3; ++k) {
       const int p = g.AddPlane(
-          {.kind = PlaneRecipe::Kind::kEdge, .a = 2 + 2 * k, .b = 3 + 2 * k});
+          PlaneRecipe::OfEdge(VertexId(2 + 2 * k), VertexId(3 + 2 * k)));
       Crossing& crossing = c[static_cast<std::size_t>(k)];
       const Side from = g.PlaneSide(p, u);
       const Side to = g.PlaneSide(p, v);
@@ -204,14 +197,13 @@ TEST(EdgeOrder, GenericInputNeverReachesTheExactStage) {
     bool proper = true;
     const auto crossing = [&](int a) {
       const int p =
-          g.AddPlane({.kind = PlaneRecipe::Kind::kEdge, .a = a, .b = a + 1});
+          g.AddPlane(PlaneRecipe::OfEdge(VertexId(a), VertexId(a + 1)));
       const Side from = g.PlaneSide(p, u);
       const Side to = g.PlaneSide(p, v);
       proper = proper && from.sign * to.sign == Sign::kNegative;
       return MakeCrossing(p, from, to);
     };
-    const int n =
-        g.AddPlane({.kind = PlaneRecipe::Kind::kEdge, .a = 0, .b = 1});
+    const int n = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
     const Crossing a = crossing(2);
     const Crossing b = crossing(4);
     if (proper) g.EdgeOrder(n, a, b);

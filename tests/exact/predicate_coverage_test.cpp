@@ -127,7 +127,7 @@ TEST_P(EdgeOrderCoverage, HasSignAtCheapestStage) {
   const int u = g.VertexDirection(0);
   const int v = g.VertexDirection(1);
   const auto edge = [&g](int a, int b) {
-    return g.AddPlane({.kind = PlaneRecipe::Kind::kEdge, .a = a, .b = b});
+    return g.AddPlane(PlaneRecipe::OfEdge(VertexId(a), VertexId(b)));
   };
   const int n = edge(0, 1);
   const auto crossing = [&](int plane) {

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "radiometry/stages/span_sum.h"
+#include "scene/scene_access.h"
 #include "support/portable_random.h"
 #include "support/random_scene.h"
 #include "support/scenes.h"
@@ -50,8 +51,7 @@ double PrintedF(double x, double y, double m) {
 Rgb PrintedSum(const Scene& scene, const SpanVertex& vertex) {
   const auto emission = [&](const AngularSpan& span) -> Rgb {
     if (!span.is_source) return {};
-    const int face = scene.facets()[static_cast<std::size_t>(span.facet)].face;
-    return scene.faces()[static_cast<std::size_t>(face)].emission;
+    return FacesOf(scene)[FaceOf(scene, span.facet)].emission;
   };
   const auto x_of = [](const Vec3<Exact>& d) {
     return d.x.to_double() / d.z.to_double();
@@ -94,7 +94,7 @@ TEST(AngularSpanSum, IsThePrintedEquationNine) {
     }
     const Scene scene = MakeScene(faces);
     Rgb sum{};
-    for (const SpanVertex& v : AngularSpansOf({scene, kUp, 0}).vertices) {
+    for (const SpanVertex& v : AngularSpansOf({scene, kUp}).vertices) {
       const Rgb term = PrintedSum(scene, v);
       for (std::size_t c = 0; c < 3; ++c)
         sum[c] += term[c] / std::numbers::pi;
@@ -111,7 +111,7 @@ TEST(AngularSpanSum, HasNoOrderOfVerticesAndNoFirstSpan) {
   PortableRandom random(5);
   for (int i = 0; i < 20; ++i) {
     const Scene scene = MakeScene(RandomScene(random, true, 8, 3));
-    const ContourQuery query{scene, RandomReceiver(random, true, 3), 0};
+    const ContourQuery query{scene, RandomReceiver(random, true, 3)};
     AngularSpans spans = AngularSpansOf(query);
     const Rgb value = EvaluateSpans(query, spans, {}).value;
     EXPECT_EQ(value, Evaluate(scene, query.receiver));
@@ -137,7 +137,7 @@ TEST(AngularSpanSum, NeedsEveryVertexButTheExtraneous) {
   // No corner is on a diagonal, where its two edges would cancel.
   const Faces faces = {{Ceiling(1, 8, 2, 9, 16), kLamp},
                        {Ceiling(1, 2, 0.75, 1.75, 4)}};
-  const ContourQuery query{MakeScene(faces), kUp, 0};
+  const ContourQuery query{MakeScene(faces), kUp};
   const AngularSpans spans = AngularSpansOf(query);
   const Rgb value = EvaluateSpans(query, spans, {}).value;
   int extraneous = 0;
@@ -222,7 +222,7 @@ TEST(AngularSpanSum, OfTwelveEdgesAndACornerThroughOnePoint) {
     faces.push_back({Scaled(left_of_line, std::ldexp(1, i - 13)),
                      i % 3 == 0 ? Rgb{2, 0.5, 7} : kBlack});
   }
-  const AngularSpans spans = AngularSpansOf({MakeScene(faces), kUp, 0});
+  const AngularSpans spans = AngularSpansOf({MakeScene(faces), kUp});
   const auto most = std::ranges::max_element(
       spans.vertices, {}, [](const SpanVertex& v) { return v.spans.size(); });
   // The lamp, 12 half-planes, the corner, and the nearest in two pieces.

@@ -25,7 +25,8 @@ template <class T>
 Boundary<T> BoundaryAt(const HandContour& contour, bool with_fan = false) {
   using W = typename WorkingType<T>::Type;
   const WeightedContour weighted = contour.Weighted();
-  return BoundaryOf<T>(FrameGeometry<W>(weighted, kRunBits), 0, with_fan);
+  return BoundaryOf<T>(FrameGeometry<W>(weighted, kRunBits), SourceId(0),
+                       with_fan);
 }
 
 template <class T>
@@ -176,14 +177,16 @@ TEST(Boundary, DifferencesAreRoundedOnce) {
     const auto balls = BoundaryAt<B>(contour);
     const auto truth = BoundaryAt<Multiprecision>(contour);
     for (std::size_t k = 0; k < truth.arcs.size(); ++k) {
+      const BoundaryVertexId vertex = EndId<BoundaryVertexId>(k);
       const RealVector chord = ToReal(truth.arcs[k].chord);
       const RealVector point = ToReal(truth.From(truth.arcs[k]).point);
-      const RealVector from_first = ToReal(truth.vertices[k].from_first);
+      const RealVector from_first = ToReal(truth.vertices[vertex].from_first);
       EXPECT_EQ(rounded.arcs[k].chord.x, chord[0].ToDouble());
       EXPECT_EQ(rounded.arcs[k].chord.y, chord[1].ToDouble());
       EXPECT_EQ(rounded.arcs[k].chord.z, chord[2].ToDouble());
       EXPECT_EQ(rounded.From(rounded.arcs[k]).point.x, point[0].ToDouble());
-      EXPECT_EQ(rounded.vertices[k].from_first.y, from_first[1].ToDouble());
+      EXPECT_EQ(rounded.vertices[vertex].from_first.y,
+                from_first[1].ToDouble());
       EXPECT_LE(Abs(Real(balls.arcs[k].chord.x.value) - chord[0]),
                 Real(balls.arcs[k].chord.x.error));
       EXPECT_LE(balls.arcs[k].chord.x.error,
@@ -235,7 +238,7 @@ TEST(Boundary, HeightsAreNeverNegativeAndOnTheHorizonExactlyZero) {
     const auto boundary = BoundaryAt<B>(contour);
     const auto truth = BoundaryAt<Multiprecision>(contour);
     ASSERT_EQ(boundary.vertices.size(), truth.vertices.size());
-    for (std::size_t k = 0; k < truth.vertices.size(); ++k) {
+    for (const BoundaryVertexId k : truth.vertices.ids()) {
       const B& z = boundary.vertices[k].point.z;
       ASSERT_GE(z.value, 0);
       EXPECT_LE(Abs(Real(z.value) - testing::ToReal(truth.vertices[k].point.z)),

@@ -118,18 +118,16 @@ TEST_P(ClosedForm, HalfHemisphereFromArcsOfPi) {
                         {Exact(-1), Exact(0), Exact(0)},
                         {Exact(0), Exact(1), Exact(0)},
                         {Exact(0), Exact(0), Exact(1)}};
-  for (int i = 0; i < 2; ++i) {
-    DirectionRecipe direction;
-    direction.kind = DirectionRecipe::Kind::kExplicit;
-    direction.a = i;
-    c.directions.push_back(direction);
-    PlaneRecipe plane;
-    plane.kind = PlaneRecipe::Kind::kExplicit;
-    plane.a = i + 2;
-    c.planes.push_back(plane);
-  }
-  c.arcs = {{0, true, 0, 1, 0}, {1, true, 1, 0, 0}};
-  c.sources = {{0, 0, 2}};
+  const DirectionId right =
+      c.directions.push_back(DirectionRecipe::Explicit(ExplicitId(0)));
+  const DirectionId left =
+      c.directions.push_back(DirectionRecipe::Explicit(ExplicitId(1)));
+  const PlaneId above =
+      c.planes.push_back(PlaneRecipe::Explicit(ExplicitId(2)));
+  const PlaneId behind =
+      c.planes.push_back(PlaneRecipe::Explicit(ExplicitId(3)));
+  c.arcs = {{above, true, right, left, {}}, {behind, true, left, right, {}}};
+  c.sources = {{FacetId(0), ArcId(0), 2}};
   const std::vector<Rgb> weights = {kOne};
   const WeightedContour weighted{contour.Weighted().view, c, weights};
   const Irradiance result = EvaluateWeighted(weighted, Certified());

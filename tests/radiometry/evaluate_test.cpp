@@ -7,6 +7,7 @@
 #include "truelux/scene.h"
 
 #include "radiometry/evaluation_workspace.h"
+#include "scene/scene_access.h"
 
 namespace truelux {
 namespace {
@@ -20,35 +21,34 @@ Scene TwoOctants() {
 }
 
 /// The arcs of facet `facet`, a triangle that nothing hides.
-void AddTriangle(const Scene& scene, int facet, Contour& contour) {
-  const Facet& source = scene.facets()[static_cast<std::size_t>(facet)];
-  const auto& corners =
-      scene.triangles()[static_cast<std::size_t>(source.first_triangle)]
-          .vertices;
-  const auto directions = static_cast<int>(contour.directions.size());
-  SourceArcs arcs{facet, static_cast<int>(contour.arcs.size()), 3};
-  for (int i = 0; i < 3; ++i) {
-    const int a = corners[static_cast<std::size_t>(i)];
-    const int b = corners[static_cast<std::size_t>((i + 1) % 3)];
-    contour.directions.push_back({.a = a});
-    contour.planes.push_back({.a = a, .b = b});
-    // Counter-clockwise seen from r: (a - r) x (b - a) points outwards.
-    contour.arcs.push_back({static_cast<int>(contour.planes.size()) - 1, false,
-                            directions + (i + 1) % 3, directions + i, 0});
+void AddTriangle(const Scene& scene, FacetId facet, Contour& contour) {
+  const Facet& source = FacetsOf(scene)[facet];
+  const auto corners = CornersOf(TrianglesOf(scene)[FirstTriangleOf(source)]);
+  contour.sources.push_back({facet, contour.arcs.end_id(), 3});
+  std::array<DirectionId, 3> directions;
+  for (std::size_t i = 0; i < 3; ++i) {
+    directions[i] =
+        contour.directions.push_back(DirectionRecipe::ToVertex(corners[i]));
   }
-  contour.sources.push_back(arcs);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    // Counter-clockwise seen from r: (a - r) x (b - a) points outwards.
+    const PlaneId plane = contour.planes.push_back(
+        PlaneRecipe::OfEdge(corners[i], corners[next]));
+    contour.arcs.push_back({plane, false, directions[next], directions[i], {}});
+  }
 }
 
 class EvaluateContourTest : public ::testing::Test {
  protected:
   EvaluateContourTest() {
-    AddTriangle(query_.scene, 0, contour_);
-    AddTriangle(query_.scene, 1, contour_);
+    AddTriangle(query_.scene, FacetId(0), contour_);
+    AddTriangle(query_.scene, FacetId(1), contour_);
     contour_.statistics.arcs = 6;
     contour_.statistics.plane_side.filter = 11;
   }
 
-  ContourQuery query_{TwoOctants(), {{0, 0, 0}, {0, 0, 1}, 0}, 0};
+  ContourQuery query_{TwoOctants(), {{0, 0, 0}, {0, 0, 1}, 0}};
   Contour contour_;
 };
 
@@ -66,7 +66,7 @@ TEST_F(EvaluateContourTest, AddsToTheContoursStatistics) {
 
 TEST_F(EvaluateContourTest, AFormFactorIsForUnitExitance) {
   contour_.sources.pop_back();
-  query_.only_source = 1;
+  query_.only_source = FaceNumber(1);
   for (const Emission emission : {Emission::kExitance, Emission::kRadiance}) {
     const Irradiance result = EvaluateContour(
         query_, contour_, {Method::kCertified, emission, Formula::kAuto});
@@ -78,7 +78,7 @@ TEST_F(EvaluateContourTest, AFormFactorIsForUnitExitance) {
 // reach the next result.
 TEST_F(EvaluateContourTest, AWorkspaceCarriesNothingOver) {
   Contour shorter = contour_;
-  shorter.sources.erase(shorter.sources.begin());
+  shorter.sources = {contour_.sources.back()};
   EvaluationWorkspace workspace;
   for (const Method method : {Method::kDouble, Method::kCertified}) {
     for (const Formula formula : {Formula::kAuto, Formula::kUnified}) {

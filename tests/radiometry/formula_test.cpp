@@ -93,13 +93,13 @@ TEST_P(FormulaOnPolygons, PairsOfOppositeArcsAddNothing) {
   for (const KnownView& view : KnownViews()) {
     HandContour contour = PolygonContour(view.ring, view.position, view.normal);
     Contour& arcs = contour.contour();
-    const int count = arcs.sources[0].arc_count;
+    const int count = arcs.sources[SourceId(0)].arc_count;
     for (int i = 0; i < count; ++i) {
-      const Arc arc = arcs.arcs[static_cast<std::size_t>(i)];
+      const Arc arc = arcs.arcs[ArcId(i)];
       arcs.arcs.push_back(arc);
-      arcs.arcs.push_back({arc.plane, !arc.positive, arc.to, arc.from, 0});
+      arcs.arcs.push_back({arc.plane, !arc.positive, arc.to, arc.from, {}});
     }
-    arcs.sources[0].arc_count = 3 * count;
+    arcs.sources[SourceId(0)].arc_count = 3 * count;
     const auto sum = RunFormula<Ball<double>>(GetParam(), contour, 32);
     if (!sum.applicable) continue;
     EXPECT_LE(ErrorOf(sum, TruthOf(view)), Real(sum.value.error)) << view.name;

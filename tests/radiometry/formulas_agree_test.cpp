@@ -50,7 +50,7 @@ void LookAtEach(const std::string& name, const Look& look) {
   ContourBuilder builder(engine);
   Contour contour;
   for (const auto& row : ReadNumbers(folder / "expected.csv")) {
-    const ContourQuery query{*scene.value, ReceiverOf(row), 0};
+    const ContourQuery query{*scene.value, ReceiverOf(row)};
     builder.Build(query, contour);
     const std::vector<Rgb> weights(contour.sources.size(), {1, 1, 1});
     const WeightedContour weighted{ViewOf(query), contour, weights};

@@ -8,89 +8,79 @@
 namespace truelux::testing {
 namespace {
 
-std::size_t Index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 Vec3<Exact> Plus(const Vec3<Exact>& a, const Vec3<Exact>& b) {
   return a - -b;
 }
 
 }  // namespace
 
-int HandContour::AddVertex(const Point3& p) {
-  vertices_.push_back(p);
-  return static_cast<int>(vertices_.size()) - 1;
+std::vector<VertexId> HandContour::AddRing(const std::vector<Point3>& ring) {
+  std::vector<VertexId> ids;
+  for (const Point3& p : ring)
+    ids.push_back(vertices_.push_back(p));
+  return ids;
 }
 
-int HandContour::AddPlane(const PlaneRecipe& plane) {
-  contour_.planes.push_back(plane);
-  return static_cast<int>(contour_.planes.size()) - 1;
+PlaneId HandContour::AddPlane(const PlaneRecipe& plane) {
+  return contour_.planes.push_back(plane);
 }
 
-int HandContour::AddDirection(const DirectionRecipe& direction) {
-  contour_.directions.push_back(direction);
-  return static_cast<int>(contour_.directions.size()) - 1;
+DirectionId HandContour::AddDirection(const DirectionRecipe& direction) {
+  return contour_.directions.push_back(direction);
 }
 
-Vec3<Exact> HandContour::DirectionOf(int i) const {
+Vec3<Exact> HandContour::DirectionOf(DirectionId id) const {
   return RecipeEvaluator<Exact>(View()).Direction(
-      contour_.directions[Index(i)], contour_.planes,
+      contour_.directions[id], contour_.planes,
       contour_.explicit_vectors.All());
 }
 
-Vec3<Exact> HandContour::PlaneOf(int i) const {
-  return RecipeEvaluator<Exact>(View()).Plane(contour_.planes[Index(i)],
+Vec3<Exact> HandContour::PlaneOf(PlaneId id) const {
+  return RecipeEvaluator<Exact>(View()).Plane(contour_.planes[id],
                                               contour_.explicit_vectors.All());
 }
 
-Exact HandContour::SideOf(int plane, const Vec3<Exact>& d) const {
+Exact HandContour::SideOf(PlaneId plane, const Vec3<Exact>& d) const {
   return Dot(PlaneOf(plane), d);
 }
 
 void HandContour::AddConvexPolygon(const std::vector<Point3>& ring,
                                    const Rgb& emission, Ends ends) {
-  const int count = static_cast<int>(ring.size());
-  const int first = static_cast<int>(vertices_.size());
-  for (const Point3& p : ring)
-    AddVertex(p);
+  const std::vector<VertexId> corners = AddRing(ring);
+  const std::size_t count = corners.size();
   const RecipeEvaluator<Exact> exact(View());
   std::vector<int> height;
-  for (int i = 0; i < count; ++i) {
-    height.push_back(exact.AboveHorizon(first + i).sign());
-  }
+  for (const VertexId v : corners)
+    height.push_back(exact.AboveHorizon(v).sign());
   std::vector<Side> sides;
-  int down = -1;  // where the outline leaves the visible half-space
-  int up = -1;    // where it comes back
-  for (int i = 0; i < count; ++i) {
-    const int j = (i + 1) % count;
-    const int a = first + i;
-    const int b = first + j;
-    const int h_a = height[Index(i)];
-    const int h_b = height[Index(j)];
+  DirectionId down;  // where the outline leaves the visible half-space
+  DirectionId up;    // where it comes back
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t j = (i + 1) % count;
+    const VertexId a = corners[i];
+    const VertexId b = corners[j];
+    const int h_a = height[i];
+    const int h_b = height[j];
     if (h_a <= 0 && h_b <= 0 && (h_a < 0 || h_b < 0)) continue;
     Side side;
-    side.plane = AddPlane({PlaneRecipe::Kind::kEdge, false, a, b});
+    side.plane = AddPlane(PlaneRecipe::OfEdge(a, b));
     if (h_a < 0) {
-      side.from = up = AddDirection(
-          {DirectionRecipe::Kind::kEdgeAtHorizon, false, b, a, -1});
+      side.from = up = AddDirection(DirectionRecipe::EdgeAtHorizon(b, a));
     } else {
-      side.from = AddDirection({DirectionRecipe::Kind::kVertex, false, a});
-      const int h_before = height[Index((i + count - 1) % count)];
+      side.from = AddDirection(DirectionRecipe::ToVertex(a));
+      const int h_before = height[(i + count - 1) % count];
       if (h_a == 0 && h_before < 0) up = side.from;
     }
     if (h_b < 0) {
-      side.to = down = AddDirection(
-          {DirectionRecipe::Kind::kEdgeAtHorizon, false, a, b, -1});
+      side.to = down = AddDirection(DirectionRecipe::EdgeAtHorizon(a, b));
     } else {
-      side.to = AddDirection({DirectionRecipe::Kind::kVertex, false, b});
-      if (h_b == 0 && height[Index((j + 1) % count)] < 0) down = side.to;
+      side.to = AddDirection(DirectionRecipe::ToVertex(b));
+      if (h_b == 0 && height[(j + 1) % count] < 0) down = side.to;
     }
     sides.push_back(side);
   }
-  if (down >= 0 && up >= 0) {
-    const Side horizon{AddPlane({.kind = PlaneRecipe::Kind::kHorizon}), down,
-                       up};
+  if (down.valid() && up.valid()) {
+    const Side horizon{AddPlane(PlaneRecipe::OfHorizon()), down, up};
     std::size_t place = 0;
     while (sides[place].to != down)
       ++place;
@@ -104,35 +94,33 @@ void HandContour::AddConvexPolygon(const std::vector<Point3>& ring,
 void HandContour::AddCutPolygon(const std::vector<Point3>& ring,
                                 const Point3& a, const Point3& b,
                                 const Rgb& emission) {
-  const int first = static_cast<int>(vertices_.size());
-  const int count = static_cast<int>(ring.size());
-  for (const Point3& p : ring)
-    AddVertex(p);
-  const int cut =
-      AddPlane({PlaneRecipe::Kind::kEdge, false, AddVertex(a), AddVertex(b)});
+  const std::vector<VertexId> corners = AddRing(ring);
+  const std::vector<VertexId> cut_ends = AddRing({a, b});
+  const PlaneId cut = AddPlane(PlaneRecipe::OfEdge(cut_ends[0], cut_ends[1]));
   const RecipeEvaluator<Exact> exact(View());
-  const auto inside = [&](int v) {
+  const auto inside = [&](VertexId v) {
     return SideOf(cut, exact.FromReceiver(v)).sign() == CGAL::POSITIVE;
   };
   std::vector<Side> sides;
-  int leaving = -1;
-  int entering = -1;
-  for (int i = 0; i < count; ++i) {
-    const int v = first + i;
-    const int w = first + (i + 1) % count;
+  DirectionId leaving;
+  DirectionId entering;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const VertexId v = corners[i];
+    const VertexId w = corners[(i + 1) % corners.size()];
     if (!inside(v) && !inside(w)) continue;
     Side side;
-    side.plane = AddPlane({PlaneRecipe::Kind::kEdge, false, v, w});
-    side.from = AddDirection({DirectionRecipe::Kind::kVertex, false, v});
-    side.to = AddDirection({DirectionRecipe::Kind::kVertex, false, w});
+    side.plane = AddPlane(PlaneRecipe::OfEdge(v, w));
+    side.from = AddDirection(DirectionRecipe::ToVertex(v));
+    side.to = AddDirection(DirectionRecipe::ToVertex(w));
     if (inside(v) != inside(w)) {
       // +-(N x cut), taken to the side of the edge's middle.
-      const int crossing = AddDirection(
-          {DirectionRecipe::Kind::kCrossing, false, side.plane, cut});
+      const DirectionId crossing =
+          AddDirection(DirectionRecipe::Crossing(side.plane, cut));
       const Vec3<Exact> middle =
           Plus(exact.FromReceiver(v), exact.FromReceiver(w));
       if (Dot(DirectionOf(crossing), middle).sign() == CGAL::NEGATIVE) {
-        contour_.directions[Index(crossing)].negated = true;
+        DirectionRecipe& recipe = contour_.directions[crossing];
+        recipe = recipe.NegatedIf(true);
       }
       if (inside(v)) {
         side.to = leaving = crossing;
@@ -151,14 +139,15 @@ void HandContour::Rewrite(std::vector<Side>& sides, Ends ends) {
   const std::size_t count = sides.size();
   if (ends == Ends::kCrossings) {
     // Every corner as the crossing of the two sides that meet there.
-    std::vector<int> corners;
+    std::vector<DirectionId> corners;
     for (std::size_t i = 0; i < count; ++i) {
-      const int previous = sides[(i + count - 1) % count].plane;
+      const PlaneId previous = sides[(i + count - 1) % count].plane;
       const Vec3<Exact> truth = DirectionOf(sides[i].from);
-      const int corner = AddDirection(
-          {DirectionRecipe::Kind::kCrossing, false, previous, sides[i].plane});
+      const DirectionId corner =
+          AddDirection(DirectionRecipe::Crossing(previous, sides[i].plane));
       if (Dot(DirectionOf(corner), truth).sign() == CGAL::NEGATIVE) {
-        contour_.directions[Index(corner)].negated = true;
+        DirectionRecipe& recipe = contour_.directions[corner];
+        recipe = recipe.NegatedIf(true);
       }
       corners.push_back(corner);
     }
@@ -172,15 +161,11 @@ void HandContour::Rewrite(std::vector<Side>& sides, Ends ends) {
     const auto explicit_of = [&](const Vec3<Exact>& v) {
       return contour_.explicit_vectors.Add(v);
     };
-    PlaneRecipe plane;
-    plane.kind = PlaneRecipe::Kind::kExplicit;
-    plane.a = explicit_of(PlaneOf(side.plane));
-    side.plane = AddPlane(plane);
-    for (int* end : {&side.from, &side.to}) {
-      DirectionRecipe direction;
-      direction.kind = DirectionRecipe::Kind::kExplicit;
-      direction.a = explicit_of(DirectionOf(*end));
-      *end = AddDirection(direction);
+    side.plane =
+        AddPlane(PlaneRecipe::Explicit(explicit_of(PlaneOf(side.plane))));
+    for (DirectionId* end : {&side.from, &side.to}) {
+      *end = AddDirection(
+          DirectionRecipe::Explicit(explicit_of(DirectionOf(*end))));
     }
   }
 }
@@ -188,8 +173,8 @@ void HandContour::Rewrite(std::vector<Side>& sides, Ends ends) {
 void HandContour::AddSource(const std::vector<Side>& sides,
                             const Rgb& emission) {
   SourceArcs source;
-  source.facet = static_cast<int>(contour_.sources.size());
-  source.first_arc = static_cast<int>(contour_.arcs.size());
+  source.facet = FacetId(contour_.sources.end_id().value());
+  source.first_arc = contour_.arcs.end_id();
   source.arc_count = static_cast<int>(sides.size());
   // Some direction inside the convex region.
   Vec3<Exact> middle{Exact(0), Exact(0), Exact(0)};

@@ -49,23 +49,23 @@ class HandContour {
 
   /// One directed side of a convex region.
   struct Side {
-    int plane = -1;
-    int from = -1;
-    int to = -1;
+    PlaneId plane;
+    DirectionId from;
+    DirectionId to;
   };
 
-  int AddVertex(const Point3& p);
-  int AddPlane(const PlaneRecipe& plane);
-  int AddDirection(const DirectionRecipe& direction);
-  [[nodiscard]] Exact SideOf(int plane, const Vec3<Exact>& d) const;
-  [[nodiscard]] Vec3<Exact> DirectionOf(int i) const;
-  [[nodiscard]] Vec3<Exact> PlaneOf(int i) const;
+  std::vector<VertexId> AddRing(const std::vector<Point3>& ring);
+  PlaneId AddPlane(const PlaneRecipe& plane);
+  DirectionId AddDirection(const DirectionRecipe& direction);
+  [[nodiscard]] Exact SideOf(PlaneId plane, const Vec3<Exact>& d) const;
+  [[nodiscard]] Vec3<Exact> DirectionOf(DirectionId id) const;
+  [[nodiscard]] Vec3<Exact> PlaneOf(PlaneId id) const;
   void Rewrite(std::vector<Side>& sides, Ends ends);
   void AddSource(const std::vector<Side>& sides, const Rgb& emission);
 
   Point3 position_;
   Vector3 normal_;
-  std::vector<Point3> vertices_;
+  IdVector<VertexId, Point3> vertices_;
   Contour contour_;
   std::vector<Rgb> weights_;
 };

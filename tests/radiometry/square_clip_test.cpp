@@ -22,7 +22,7 @@ namespace {
 Real CutFormFactor(const WeightedContour& contour, double half_side) {
   const BoundedContour cut = CutToSquare(contour, half_side);
   const WeightedContour bounded = {contour.view, cut.contour, contour.weights};
-  if (cut.contour.sources[0].arc_count == 0) return {0};
+  if (cut.contour.sources[SourceId(0)].arc_count == 0) return {0};
   return ToReal(
       RunFormula<Multiprecision>(Formula::kLambertEdge, bounded).value);
 }
@@ -54,11 +54,11 @@ TEST(CutToSquare, LeavesWhatIsInsideAsItIs) {
       PolygonContour(Ceiling(-1, 1, -2, 2, 1), {0.1, 0, 0}, {0, 0, 3});
   const WeightedContour weighted = contour.Weighted();
   const BoundedContour cut = CutToSquare(weighted, 2.5);
-  EXPECT_FALSE(cut.is_cut[0]);
+  EXPECT_FALSE(cut.is_cut[SourceId(0)]);
   EXPECT_EQ(cut.contour.planes, weighted.contour.planes);
   EXPECT_EQ(cut.contour.directions, weighted.contour.directions);
   ASSERT_EQ(cut.contour.arcs.size(), weighted.contour.arcs.size());
-  for (std::size_t i = 0; i < cut.contour.arcs.size(); ++i) {
+  for (const ArcId i : cut.contour.arcs.ids()) {
     EXPECT_EQ(cut.contour.arcs[i].from, weighted.contour.arcs[i].from);
     EXPECT_EQ(cut.contour.arcs[i].to, weighted.contour.arcs[i].to);
     EXPECT_EQ(cut.contour.arcs[i].plane, weighted.contour.arcs[i].plane);
@@ -69,8 +69,8 @@ TEST(CutToSquare, LeavesWhatIsInsideAsItIs) {
 TEST(CutToSquare, TouchingTheSquareIsInside) {
   const HandContour contour =
       PolygonContour(Ceiling(-1, 1, -1, 1, 1), {}, {0, 0, 1});
-  EXPECT_FALSE(CutToSquare(contour.Weighted(), 1).is_cut[0]);
-  EXPECT_TRUE(CutToSquare(contour.Weighted(), 1 - 0x1p-53).is_cut[0]);
+  EXPECT_FALSE(CutToSquare(contour.Weighted(), 1).is_cut[SourceId(0)]);
+  EXPECT_TRUE(CutToSquare(contour.Weighted(), 1 - 0x1p-53).is_cut[SourceId(0)]);
 }
 
 struct Cut {
@@ -120,7 +120,7 @@ TEST(CutToSquare, KnowsWhatIsCutOffWhole) {
   const HandContour contour =
       PolygonContour(Ceiling(5, 6, 5, 6, 1), {}, {0, 0, 1});
   const BoundedContour cut = CutToSquare(contour.Weighted(), 3);
-  EXPECT_TRUE(cut.is_cut[0]);
+  EXPECT_TRUE(cut.is_cut[SourceId(0)]);
   const auto sum = RunFormula<Ball<double>>(Formula::kDirections, contour, 3);
   EXPECT_TRUE(sum.applicable);
   EXPECT_NEAR(sum.value.value, 0, sum.value.error);
@@ -168,7 +168,8 @@ TEST(CutToSquare, HoldsItsBoundForAnyNormal) {
       const Real missing = whole - CutFormFactor(contour.Weighted(), half_side);
       EXPECT_LE(Real(-1e-80), missing);
       EXPECT_LE(missing, Real(FormFactorBeyond(half_side)));
-      const bool is_cut = CutToSquare(contour.Weighted(), half_side).is_cut[0];
+      const bool is_cut =
+          CutToSquare(contour.Weighted(), half_side).is_cut[SourceId(0)];
       if (!is_cut) {
         EXPECT_LE(Abs(missing), Real(1e-80));
       }
@@ -196,7 +197,7 @@ TEST(CutToSquare, CutsWhatOtherFacesHideAsWell) {
                                random.OneIn(2) ? 1.0 : 1.5),
                        kBlack});
     }
-    const ContourQuery query{MakeScene(faces), {{0, 0, 0}, {0, 0, 1}, 0}, 0};
+    const ContourQuery query{MakeScene(faces), {{0, 0, 0}, {0, 0, 1}, 0}};
     Contour contour;
     const ContourEngine engine(query.scene);
     ContourBuilder(engine).Build(query, contour);
@@ -208,7 +209,7 @@ TEST(CutToSquare, CutsWhatOtherFacesHideAsWell) {
       std::vector<TestFace> small = faces;
       const double h = 3 * half_side;
       small[0].ring = Ceiling(-h, h, -h, h, 3);
-      const ContourQuery inner{MakeScene(small), query.receiver, 0};
+      const ContourQuery inner{MakeScene(small), query.receiver};
       Contour truth;
       const ContourEngine inner_engine(inner.scene);
       ContourBuilder(inner_engine).Build(inner, truth);
@@ -223,7 +224,7 @@ TEST(CutToSquare, CutsWhatOtherFacesHideAsWell) {
       EXPECT_LE(Abs(CutFormFactor(weighted, half_side) - expected), Real(1e-80))
           << i << " " << half_side;
       ++compared;
-      if (CutToSquare(weighted, half_side).is_cut[0]) ++with_cut;
+      if (CutToSquare(weighted, half_side).is_cut[SourceId(0)]) ++with_cut;
     }
   }
   EXPECT_GT(compared, 300);

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "scene/scene_access.h"
 #include "support/edge_sweep.h"
 #include "visibility/edges/cone.h"
 #include "visibility/edges/contour_writer.h"
@@ -39,17 +40,16 @@ class PlainEngine {
 
  private:
   bool IsIgnored(int facet) const {
-    return !ignored_.empty() && ignored_[static_cast<std::size_t>(facet)];
+    return !ignored_.empty() && ignored_[FacetId(facet)];
   }
 
   bool IsSource(int facet) {
-    const auto face = static_cast<std::size_t>(
-        scene_.facets()[static_cast<std::size_t>(facet)].face);
-    const Rgb& emission = scene_.faces()[face].emission;
+    const FaceId face = FaceOf(scene_, FacetId(facet));
+    const Rgb& emission = FacesOf(scene_)[face].emission;
     const bool wanted =
-        query_.only_source == 0
-            ? std::ranges::any_of(emission, [](double m) { return m > 0; })
-            : static_cast<int>(face) + 1 == query_.only_source;
+        query_.only_source.valid()
+            ? NumberOf(face) == query_.only_source
+            : std::ranges::any_of(emission, [](double m) { return m > 0; });
     return wanted && !IsIgnored(facet) &&
            cones_.ReceiverSide(pieces_.FirstPieceOf(facet)) == Sign::kNegative;
   }
@@ -146,7 +146,7 @@ class PlainEngine {
   ConeMaker<ViewGeometry> cones_;
   EdgeSweep<ViewGeometry> sweep_;
   ContourWriter<ViewGeometry> writer_;
-  std::vector<bool> ignored_;
+  IdVector<FacetId, bool> ignored_;
   std::vector<Cone> sources_;
   std::vector<Cone> blockers_;
   std::vector<ViewArc> arcs_;

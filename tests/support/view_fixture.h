@@ -25,7 +25,10 @@ struct ViewFixture {
 
   ViewGeometry Make() {
     normals = FilteredTriangleNormals(vertices, triangles);
-    return ViewGeometry({vertices, triangles, position, normal}, normals);
+    return ViewGeometry(
+        {IdSpan<VertexId, const Point3>(vertices),
+         IdSpan<TriangleId, const Triangle>(triangles), position, normal},
+        normals);
   }
 };
 

@@ -42,7 +42,7 @@ T Difference(const Boundary<T>& region) {
   const Vec3<T>& first = region.vertices.front().point;
   const T first_length = Length(first);
   const Vec3<T> u = Unit(first);
-  std::vector<Vec3<T>> from_first;
+  IdVector<BoundaryVertexId, Vec3<T>> from_first;
   for (const BoundaryVertex<T>& vertex : region.vertices) {
     const Vec3<T>& v = vertex.point;
     const Vec3<T>& d = vertex.from_first;
@@ -56,9 +56,10 @@ T Difference(const Boundary<T>& region) {
   for (const BoundaryArc<T>& arc : region.arcs) {
     const Vec3<T>& v = region.From(arc).point;
     const Vec3<T>& w = region.To(arc).point;
-    if (arc.from != 0 && arc.to != 0) {
-      const Vec3<T>& a = from_first[static_cast<std::size_t>(arc.from)];
-      const Vec3<T>& b = from_first[static_cast<std::size_t>(arc.to)];
+    constexpr BoundaryVertexId kFirst(0);
+    if (arc.from != kFirst && arc.to != kFirst) {
+      const Vec3<T>& a = from_first[arc.from];
+      const Vec3<T>& b = from_first[arc.to];
       sum = sum - (a.x * b.y - a.y * b.x);
     }
     const Vec3<T> normal = Cross(v, arc.chord);

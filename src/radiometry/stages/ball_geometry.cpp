@@ -23,10 +23,6 @@ bool IsGood(const BallVector<T>& v) {
   return v.error <= kGoodEnough<T> * v.length;
 }
 
-const Point3& Vertex(const WeightedContour& contour, int v) {
-  return contour.view.vertices[static_cast<std::size_t>(v)];
-}
-
 /// n, scaled.
 template <class T>
 BallVector<T> ReceiverNormal(const WeightedContour& contour) {
@@ -52,7 +48,7 @@ ScaledVector<T> AnyPlane(const WeightedContour& contour,
                          const PlaneRecipe& recipe) {
   const auto explicit_vectors = contour.contour.explicit_vectors.All();
   ScaledVector<T> rounded;
-  if (recipe.kind == PlaneRecipe::Kind::kCut &&
+  if (recipe.kind() == PlaneRecipe::Kind::kCut &&
       TryScale(RecipeEvaluator<Ball<T>>(contour.view)
                    .Plane(recipe, explicit_vectors),
                rounded)) {
@@ -68,8 +64,8 @@ ScaledVector<T> AnyDirection(const WeightedContour& contour,
                              const DirectionRecipe& recipe) {
   const Contour& c = contour.contour;
   ScaledVector<T> rounded;
-  if ((recipe.kind == DirectionRecipe::Kind::kEdgeAtHorizon ||
-       recipe.kind == DirectionRecipe::Kind::kEdgeAtPlane) &&
+  if ((recipe.kind() == DirectionRecipe::Kind::kEdgeAtHorizon ||
+       recipe.kind() == DirectionRecipe::Kind::kEdgeAtPlane) &&
       TryScale(RecipeEvaluator<Ball<T>>(contour.view)
                    .Direction(recipe, c.planes, c.explicit_vectors.All()),
                rounded)) {
@@ -87,9 +83,9 @@ void BallGeometry<T>::Evaluate(const WeightedContour& contour) {
   const Contour& c = contour.contour;
   receiver_normal_ = ReceiverNormal<T>(contour);
   if (planes_.size() < c.planes.size()) planes_.resize(c.planes.size());
-  for (std::size_t i = 0; i < c.planes.size(); ++i) {
-    const PlaneRecipe& recipe = c.planes[i];
-    BallPlane<T>& plane = planes_[i];
+  for (const PlaneId id : c.planes.ids()) {
+    const PlaneRecipe& recipe = c.planes[id];
+    BallPlane<T>& plane = planes_[id];
     EvaluatePlane(contour, recipe, plane.normal);
     const BallVector<T>& normal = plane.normal.vector;
     plane.length = Length(normal);
@@ -98,18 +94,18 @@ void BallGeometry<T>::Evaluate(const WeightedContour& contour) {
     const Ball<T> along_axis = Component(normal, plane.axis);
     plane.sign = Leading(along_axis.value) > 0 ? 1 : -1;
     plane.along_axis = TimesSign(along_axis, plane.sign);
-    const bool is_edge = recipe.kind == PlaneRecipe::Kind::kEdge;
-    plane.first_vertex = is_edge ? recipe.a : -1;
-    plane.last_vertex = is_edge ? recipe.b : -1;
+    const bool is_edge = recipe.kind() == PlaneRecipe::Kind::kEdge;
+    plane.first_vertex = is_edge ? recipe.from() : VertexId();
+    plane.last_vertex = is_edge ? recipe.to() : VertexId();
   }
   if (directions_.size() < c.directions.size()) {
     directions_.resize(c.directions.size());
   }
-  for (std::size_t i = 0; i < c.directions.size(); ++i) {
-    const DirectionRecipe& recipe = c.directions[i];
-    EvaluateDirection(contour, recipe, directions_[i].scaled);
-    const bool is_vertex = recipe.kind == DirectionRecipe::Kind::kVertex;
-    directions_[i].vertex = is_vertex ? recipe.a : -1;
+  for (const DirectionId id : c.directions.ids()) {
+    const DirectionRecipe& recipe = c.directions[id];
+    EvaluateDirection(contour, recipe, directions_[id].scaled);
+    const bool is_vertex = recipe.kind() == DirectionRecipe::Kind::kVertex;
+    directions_[id].vertex = is_vertex ? recipe.vertex() : VertexId();
   }
 }
 
@@ -117,19 +113,19 @@ template <class T>
 void BallGeometry<T>::EvaluatePlane(const WeightedContour& contour,
                                     const PlaneRecipe& recipe,
                                     ScaledVector<T>& normal) const {
-  if (recipe.kind == PlaneRecipe::Kind::kEdge) {
-    const Point3& a = Vertex(contour, recipe.a);
-    const Point3& b = Vertex(contour, recipe.b);
+  if (recipe.kind() == PlaneRecipe::Kind::kEdge) {
+    const Point3& a = contour.view.vertices[recipe.from()];
+    const Point3& b = contour.view.vertices[recipe.to()];
     const auto to_a = Difference<T>(contour.view.position, a);
     const auto edge = Difference<T>(a, b);
     const Components<T> cross = CrossValue(to_a.value, edge.value);
-    if (ScaleToUnit(recipe.negated ? Negated(cross) : cross,
+    if (ScaleToUnit(recipe.negated() ? Negated(cross) : cross,
                     ErrorOfCross(to_a, edge), normal) &&
         IsGood(normal.vector)) {
       return;
     }
-  } else if (recipe.kind == PlaneRecipe::Kind::kHorizon) {
-    normal.vector = recipe.negated ? -receiver_normal_ : receiver_normal_;
+  } else if (recipe.kind() == PlaneRecipe::Kind::kHorizon) {
+    normal.vector = recipe.negated() ? -receiver_normal_ : receiver_normal_;
     normal.exponent = 0;
     return;
   }
@@ -140,27 +136,29 @@ template <class T>
 void BallGeometry<T>::EvaluateDirection(const WeightedContour& contour,
                                         const DirectionRecipe& recipe,
                                         ScaledVector<T>& direction) const {
-  if (recipe.kind == DirectionRecipe::Kind::kCrossing) {
+  if (recipe.kind() == DirectionRecipe::Kind::kCrossing) {
     // From the scaled planes: of degree 2 in numbers near 1, not of degree 4
     // in the coordinates. A good one need not be scaled: its length is at most
     // 12, and not below 2^-22, as its error is at least 2^-54 (2^-105 in
     // double-double).
     BallVector<T>& crossing = direction.vector;
     const BallVector<T>& a =
-        Plane(recipe.negated ? recipe.b : recipe.a).normal.vector;
+        Plane(recipe.negated() ? recipe.second_plane() : recipe.first_plane())
+            .normal.vector;
     const BallVector<T>& b =
-        Plane(recipe.negated ? recipe.a : recipe.b).normal.vector;
+        Plane(recipe.negated() ? recipe.first_plane() : recipe.second_plane())
+            .normal.vector;
     crossing.value = CrossValue(a.value, b.value);
     crossing.length = LengthOf(crossing.value);
     crossing.error = ErrorOfCross(a, b);
     direction.exponent = 0;
     if (IsGood(crossing)) return;
-  } else if (recipe.kind == DirectionRecipe::Kind::kVertex) {
+  } else if (recipe.kind() == DirectionRecipe::Kind::kVertex) {
     Components<T> difference;
     double error = 0;
-    SetDifference(contour.view.position, Vertex(contour, recipe.a), difference,
-                  error);
-    if (ScaleToUnit(recipe.negated ? Negated(difference) : difference, error,
+    SetDifference(contour.view.position, contour.view.vertices[recipe.vertex()],
+                  difference, error);
+    if (ScaleToUnit(recipe.negated() ? Negated(difference) : difference, error,
                     direction) &&
         IsGood(direction.vector)) {
       return;

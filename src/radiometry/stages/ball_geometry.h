@@ -1,10 +1,15 @@
 // The planes and directions of a contour as balls, each evaluated once.
+//
+// Letters: r the receiver, n its normal; N the normal of a plane through r, N_k
+// its component k; d a direction from r.
 
 #ifndef TRUELUX_RADIOMETRY_STAGES_BALL_GEOMETRY_H_
 #define TRUELUX_RADIOMETRY_STAGES_BALL_GEOMETRY_H_
 
-#include <vector>
+#include <cstddef>
 
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "exact/ball_vector.h"
 #include "radiometry/weighted_contour.h"
 
@@ -19,16 +24,16 @@ struct BallPlane {
   std::size_t axis = 0;    ///< index k of a largest component of N
   Ball<T> along_axis;      ///< |N_k|
   double sign = 1;         ///< of N_k
-  /// The scene edge that it is the plane of, by its vertices; -1: no edge.
-  int first_vertex = -1;
-  int last_vertex = -1;
+  /// The scene edge that it is the plane of, by its vertices; none: no edge.
+  VertexId first_vertex;
+  VertexId last_vertex;
 };
 
 /// A direction from r.
 template <class T>
 struct BallDirection {
   ScaledVector<T> scaled;  ///< d, of a length in [2^-22, 12]
-  int vertex = -1;         ///< the scene vertex that it is; -1: none
+  VertexId vertex;         ///< the scene vertex that it is, if any
 };
 
 /// All planes and directions of one contour at one number type. One object
@@ -48,12 +53,14 @@ class BallGeometry {
     return receiver_normal_;
   }
 
-  [[nodiscard]] const BallPlane<T>& Plane(int i) const {
-    return planes_[static_cast<std::size_t>(i)];
+  /// A plane of the contour.
+  [[nodiscard]] const BallPlane<T>& Plane(PlaneId id) const {
+    return planes_[id];
   }
 
-  [[nodiscard]] const BallDirection<T>& Direction(int i) const {
-    return directions_[static_cast<std::size_t>(i)];
+  /// A direction of the contour.
+  [[nodiscard]] const BallDirection<T>& Direction(DirectionId id) const {
+    return directions_[id];
   }
 
  private:
@@ -65,8 +72,8 @@ class BallGeometry {
 
   BallVector<T> receiver_normal_;
   // As long as the longest contour so far needed them.
-  std::vector<BallPlane<T>> planes_;
-  std::vector<BallDirection<T>> directions_;
+  IdVector<PlaneId, BallPlane<T>> planes_;
+  IdVector<DirectionId, BallDirection<T>> directions_;
 };
 
 }  // namespace truelux

@@ -25,11 +25,11 @@ Ball<T> InverseTwoPi() {
 /// 2 pi |n| F of one source.
 template <class T>
 Ball<T> SumOfTerms(const BallGeometry<T>& geometry, std::span<const Arc> arcs,
-                   Formula formula, const std::vector<bool>& on_horizon) {
+                   Formula formula, const HorizonPlanes& on_horizon) {
   if (!SumsOverVertices(formula)) return LambertTerms(geometry, arcs);
   Ball<T> sum(0.0);
   for (const Arc& arc : arcs) {
-    const bool flat = on_horizon[static_cast<std::size_t>(arc.plane)];
+    const bool flat = on_horizon[arc.plane];
     sum = sum + HomogeneousTerm(geometry, arc, flat);
   }
   return sum;
@@ -40,14 +40,14 @@ Ball<T> SumOfTerms(const BallGeometry<T>& geometry, std::span<const Arc> arcs,
 template <class T>
 std::array<Ball<T>, 3> EvaluateInBalls(const WeightedContour& contour,
                                        const EvaluationQuery& evaluation,
-                                       const std::vector<bool>& on_horizon,
+                                       const HorizonPlanes& on_horizon,
                                        BallGeometry<T>& geometry) {
   geometry.Evaluate(contour);
   ChannelSums<T> sums(contour);
-  for (std::size_t i = 0; i < contour.contour.sources.size(); ++i) {
-    if (!contour.IsLit(i)) continue;
-    sums.Add(i, SumOfTerms(geometry, contour.ArcsOf(contour.contour.sources[i]),
-                           evaluation.formula, on_horizon));
+  for (const SourceId source : contour.contour.sources.ids()) {
+    if (!contour.IsLit(source)) continue;
+    sums.Add(source, SumOfTerms(geometry, contour.ArcsOf(source),
+                                evaluation.formula, on_horizon));
   }
   // E = M F = (M / 2 pi) sum / |n|, and M = pi L.
   const BallVector<T>& n = geometry.receiver_normal();
@@ -60,10 +60,10 @@ std::array<Ball<T>, 3> EvaluateInBalls(const WeightedContour& contour,
 
 template std::array<Ball<double>, 3> EvaluateInBalls(const WeightedContour&,
                                                      const EvaluationQuery&,
-                                                     const std::vector<bool>&,
+                                                     const HorizonPlanes&,
                                                      BallGeometry<double>&);
 template std::array<Ball<DoubleDouble>, 3> EvaluateInBalls(
-    const WeightedContour&, const EvaluationQuery&, const std::vector<bool>&,
+    const WeightedContour&, const EvaluationQuery&, const HorizonPlanes&,
     BallGeometry<DoubleDouble>&);
 
 }  // namespace truelux

@@ -20,7 +20,7 @@ namespace truelux {
 template <class T>
 std::array<Ball<T>, 3> EvaluateInBalls(const WeightedContour& contour,
                                        const EvaluationQuery& evaluation,
-                                       const std::vector<bool>& on_horizon,
+                                       const HorizonPlanes& on_horizon,
                                        BallGeometry<T>& geometry);
 
 }  // namespace truelux

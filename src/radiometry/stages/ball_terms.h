@@ -1,5 +1,9 @@
 // What the arcs of a source add to 2 pi |n| F, as balls: the two closed forms.
-// n is the scaled receiver normal; the factor |n| is divided out at the end.
+//
+// Letters: n the scaled receiver normal, whose length is divided out at the end;
+// N the normal of an arc's plane, k the axis of a largest component of N; d1 and
+// d2 the directions in which an arc begins and ends; beta the angle between them,
+// gamma that between n and the side of N that is visible.
 
 #ifndef TRUELUX_RADIOMETRY_STAGES_BALL_TERMS_H_
 #define TRUELUX_RADIOMETRY_STAGES_BALL_TERMS_H_
@@ -15,7 +19,7 @@ namespace truelux {
 template <class T>
 inline bool IsWholeEdge(const BallPlane<T>& plane, const BallDirection<T>& d1,
                         const BallDirection<T>& d2) {
-  if (d1.vertex < 0 || d2.vertex < 0) return false;
+  if (!d1.vertex.valid() || !d2.vertex.valid()) return false;
   return (d1.vertex == plane.first_vertex && d2.vertex == plane.last_vertex) ||
          (d1.vertex == plane.last_vertex && d2.vertex == plane.first_vertex);
 }
@@ -62,10 +66,10 @@ Ball<T> LambertTerms(const BallGeometry<T>& geometry,
                      std::span<const Arc> arcs) {
   Ball<T> sum(0.0);
   for (std::size_t i = 0; i < arcs.size();) {
-    const int index = arcs[i].plane;
-    const BallPlane<T>& plane = geometry.Plane(index);
+    const PlaneId id = arcs[i].plane;
+    const BallPlane<T>& plane = geometry.Plane(id);
     AngleSum<T> angle;
-    for (; i < arcs.size() && arcs[i].plane == index; ++i) {
+    for (; i < arcs.size() && arcs[i].plane == id; ++i) {
       AddAngle(geometry, plane, arcs[i], angle);
     }
     sum = sum + plane.rise * angle.Sum();

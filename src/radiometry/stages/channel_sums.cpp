@@ -64,12 +64,13 @@ ChannelSums<T>::ChannelSums(const WeightedContour& contour)
       alike_{0, FirstAlike(contour, 1), FirstAlike(contour, 2)} {}
 
 template <class T>
-void ChannelSums<T>::Add(std::size_t i, const Ball<T>& sum) {
+void ChannelSums<T>::Add(SourceId source, const Ball<T>& sum) {
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    if (alike_[channel] != channel || !contour_.IsLit(i, channel)) continue;
+    if (alike_[channel] != channel || !contour_.IsLit(source, channel))
+      continue;
     // Exact, or so small that kUnderflow covers what it lost.
     const double weight =
-        TimesTwoTo(contour_.weights[i][channel], -exponents_[channel]);
+        TimesTwoTo(contour_.WeightOf(source)[channel], -exponents_[channel]);
     sums_[channel] = sums_[channel] + Ball<T>(weight) * sum;
   }
 }

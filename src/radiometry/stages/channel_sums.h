@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 
+#include "base/ids.h"
 #include "exact/ball.h"
 #include "radiometry/weighted_contour.h"
 
@@ -21,8 +22,8 @@ class ChannelSums {
   /// `contour` must outlive this object.
   explicit ChannelSums(const WeightedContour& contour);
 
-  /// Adds `sum` of source i, which is lit, in the channels in which it emits.
-  void Add(std::size_t i, const Ball<T>& sum);
+  /// Adds what a lit source gives, in the channels in which it emits.
+  void Add(SourceId source, const Ball<T>& sum);
 
   /// The sums, all times `factor`.
   [[nodiscard]] std::array<Ball<T>, 3> Finish(const Ball<T>& factor) const;

@@ -1,5 +1,8 @@
 #include "radiometry/stages/exact_sum.h"
 
+#include <cassert>
+#include <utility>
+
 namespace truelux {
 
 ExactPlane ExactPlaneOf(const Vec3<Exact>& n, const Exact& n_square,
@@ -8,13 +11,15 @@ ExactPlane ExactPlaneOf(const Vec3<Exact>& n, const Exact& n_square,
   return {square, Dot(n, normal), square * n_square};
 }
 
-ExactTerm EndTerm(std::size_t plane, const Vec3<Exact>& n,
+ExactTerm EndTerm(ExactPlaneId plane, const Vec3<Exact>& n,
                   const Vec3<Exact>& ascent, const Vec3<Exact>& d,
                   bool negative) {
-  return {plane, Dot(d, ascent), Dot(n, d), false, true, negative};
+  Exact height = Dot(n, d);
+  assert(SignOf(height) != Sign::kNegative);
+  return {plane, Dot(d, ascent), std::move(height), false, true, negative};
 }
 
-ExactTerm HorizonEndTerm(std::size_t plane, const Vec3<Exact>& d,
+ExactTerm HorizonEndTerm(ExactPlaneId plane, const Vec3<Exact>& d,
                          const Vec3<Exact>& other, const Exact& across,
                          bool negative) {
   return {plane, Dot(d, d) - Dot(d, other), across, true, false, negative};

@@ -6,9 +6,10 @@
 #define TRUELUX_RADIOMETRY_STAGES_EXACT_SUM_H_
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "exact/number.h"
 #include "exact/vec3.h"
 
@@ -21,10 +22,13 @@ struct ExactPlane {
   Exact both_squares;   ///< (N.N) (n.n)
 };
 
+/// Index into ExactSum::planes.
+using ExactPlaneId = Id<struct ExactPlaneTag>;
+
 /// sign * c * atan2(y, x), c = n.N / (|n| |N|) of the term's plane or 1; one
 /// of y and x is to be multiplied by |N|.
 struct ExactTerm {
-  std::size_t plane = 0;  ///< index into ExactSum::planes
+  ExactPlaneId plane;
   Exact y;
   Exact x;
   bool length_on_y = false;  ///< whether it is y or x that |N| goes to
@@ -41,7 +45,7 @@ struct WeightedTerms {
 
 /// 2 pi E (2 E if the weights are radiances) = the sum of weight times terms.
 struct ExactSum {
-  std::vector<ExactPlane> planes;
+  IdVector<ExactPlaneId, ExactPlane> planes;
   std::vector<WeightedTerms> groups;
 };
 
@@ -53,7 +57,7 @@ ExactPlane ExactPlaneOf(const Vec3<Exact>& n, const Exact& n_square,
 /// the side of d x (its other end) [docs/method.md (11)]; requires n.d >= 0.
 ///
 /// ascent: n x N.
-ExactTerm EndTerm(std::size_t plane, const Vec3<Exact>& n,
+ExactTerm EndTerm(ExactPlaneId plane, const Vec3<Exact>& n,
                   const Vec3<Exact>& ascent, const Vec3<Exact>& d,
                   bool negative);
 
@@ -62,7 +66,7 @@ ExactTerm EndTerm(std::size_t plane, const Vec3<Exact>& n,
 /// light is below the receiver plane.
 ///
 /// across: |d x other| |N|.
-ExactTerm HorizonEndTerm(std::size_t plane, const Vec3<Exact>& d,
+ExactTerm HorizonEndTerm(ExactPlaneId plane, const Vec3<Exact>& d,
                          const Vec3<Exact>& other, const Exact& across,
                          bool negative);
 

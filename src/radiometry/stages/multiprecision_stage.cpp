@@ -1,5 +1,6 @@
 #include "radiometry/stages/multiprecision_stage.h"
 
+#include <cassert>
 #include <utility>
 
 #include "exact/arb_ball.h"
@@ -11,8 +12,8 @@ namespace {
 /// The vectors of a contour, exactly.
 struct ExactVectors {  // NOLINT(bugprone-exception-escape): Mpzf's moves
   Vec3<Exact> receiver_normal;
-  std::vector<Vec3<Exact>> planes;
-  std::vector<Vec3<Exact>> directions;
+  IdVector<PlaneId, Vec3<Exact>> planes;
+  IdVector<DirectionId, Vec3<Exact>> directions;
 };
 
 ExactVectors EvaluateExactly(const WeightedContour& contour) {
@@ -25,11 +26,10 @@ ExactVectors EvaluateExactly(const WeightedContour& contour) {
   }
   result.directions.reserve(c.directions.size());
   for (const DirectionRecipe& d : c.directions) {
-    if (d.kind == DirectionRecipe::Kind::kCrossing) {
-      const Vec3<Exact> crossing =
-          Cross(result.planes[static_cast<std::size_t>(d.a)],
-                result.planes[static_cast<std::size_t>(d.b)]);
-      result.directions.push_back(d.negated ? -crossing : crossing);
+    if (d.kind() == DirectionRecipe::Kind::kCrossing) {
+      const Vec3<Exact> crossing = Cross(result.planes[d.first_plane()],
+                                         result.planes[d.second_plane()]);
+      result.directions.push_back(d.negated() ? -crossing : crossing);
     } else {
       result.directions.push_back(
           recipes.Direction(d, c.planes, c.explicit_vectors.All()));
@@ -41,11 +41,12 @@ ExactVectors EvaluateExactly(const WeightedContour& contour) {
 /// What one arc adds: by its angle, or by its two ends.
 void AppendTerms(const ExactVectors& exact, const Arc& arc, bool over_ends,
                  bool on_horizon, std::vector<ExactTerm>& terms) {
-  const auto plane = static_cast<std::size_t>(arc.plane);
+  // The sum has the contour's planes in their order.
+  const ExactPlaneId plane(arc.plane.value());
   const Vec3<Exact>& n = exact.receiver_normal;
-  const Vec3<Exact>& normal = exact.planes[plane];
-  const Vec3<Exact>& d1 = exact.directions[static_cast<std::size_t>(arc.from)];
-  const Vec3<Exact>& d2 = exact.directions[static_cast<std::size_t>(arc.to)];
+  const Vec3<Exact>& normal = exact.planes[arc.plane];
+  const Vec3<Exact>& d1 = exact.directions[arc.from];
+  const Vec3<Exact>& d2 = exact.directions[arc.to];
   if (over_ends && !on_horizon) {
     const Vec3<Exact> ascent = Cross(n, normal);
     terms.push_back(EndTerm(plane, n, ascent, d1, false));
@@ -70,6 +71,8 @@ struct BallPlane {
   ArbBall cosine;
 };
 
+using BallPlanes = IdVector<ExactPlaneId, BallPlane>;
+
 BallPlane PlaneOf(const ExactPlane& plane, slong precision) {
   BallPlane balls{ArbBall(precision, plane.normal_square),
                   ArbBall(precision, plane.both_squares)};
@@ -80,8 +83,8 @@ BallPlane PlaneOf(const ExactPlane& plane, slong precision) {
   return balls;
 }
 
-ArbBall SumOfTerms(const WeightedTerms& group,
-                   const std::vector<BallPlane>& planes, slong precision) {
+ArbBall SumOfTerms(const WeightedTerms& group, const BallPlanes& planes,
+                   slong precision) {
   ArbBall sum;
   for (const ExactTerm& term : group.terms) {
     const BallPlane& plane = planes[term.plane];
@@ -106,7 +109,7 @@ ArbBall SumOfTerms(const WeightedTerms& group,
 
 ExactSum ExactSumOf(const WeightedContour& contour,
                     const EvaluationQuery& evaluation,
-                    const std::vector<bool>& on_horizon) {
+                    const HorizonPlanes& on_horizon) {
   const ExactVectors exact = EvaluateExactly(contour);
   const Vec3<Exact>& n = exact.receiver_normal;
   const Exact n_square = Dot(n, n);
@@ -116,14 +119,13 @@ ExactSum ExactSumOf(const WeightedContour& contour,
   for (const Vec3<Exact>& normal : exact.planes) {
     sum.planes.push_back(ExactPlaneOf(n, n_square, normal));
   }
-  for (std::size_t i = 0; i < contour.contour.sources.size(); ++i) {
-    if (!contour.IsLit(i)) continue;
-    const Rgb& weight = contour.weights[i];
+  for (const SourceId source : contour.contour.sources.ids()) {
+    if (!contour.IsLit(source)) continue;
+    const Rgb& weight = contour.WeightOf(source);
     WeightedTerms group{{Exact(weight[0]), Exact(weight[1]), Exact(weight[2])},
                         {}};
-    for (const Arc& arc : contour.ArcsOf(contour.contour.sources[i])) {
-      const bool flat =
-          over_ends && on_horizon[static_cast<std::size_t>(arc.plane)];
+    for (const Arc& arc : contour.ArcsOf(source)) {
+      const bool flat = over_ends && on_horizon[arc.plane];
       AppendTerms(exact, arc, over_ends, flat, group.terms);
     }
     sum.groups.push_back(std::move(group));
@@ -133,13 +135,14 @@ ExactSum ExactSumOf(const WeightedContour& contour,
 
 MultiprecisionStage::MultiprecisionStage(const WeightedContour& contour,
                                          const EvaluationQuery& evaluation,
-                                         const std::vector<bool>& on_horizon)
+                                         const HorizonPlanes& on_horizon)
     : MultiprecisionStage(ExactSumOf(contour, evaluation, on_horizon),
                           evaluation.emission) {}
 
 std::array<Enclosure, 3> MultiprecisionStage::Evaluate(
     mpfr_prec_t precision) const {
-  std::vector<BallPlane> planes;
+  assert(precision >= 64);
+  BallPlanes planes;
   planes.reserve(sum_.planes.size());
   for (const ExactPlane& plane : sum_.planes) {
     planes.push_back(PlaneOf(plane, precision));

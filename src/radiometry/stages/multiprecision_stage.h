@@ -17,7 +17,7 @@ namespace truelux {
 /// The sum over the arcs of a contour, or over their ends.
 ExactSum ExactSumOf(const WeightedContour& contour,
                     const EvaluationQuery& evaluation,
-                    const std::vector<bool>& on_horizon);
+                    const HorizonPlanes& on_horizon);
 
 /// lower <= E <= upper.
 struct Enclosure {
@@ -42,7 +42,7 @@ class MultiprecisionStage {
   /// one lit source.
   MultiprecisionStage(const WeightedContour& contour,
                       const EvaluationQuery& evaluation,
-                      const std::vector<bool>& on_horizon);
+                      const HorizonPlanes& on_horizon);
 
   /// E per channel. precision: p >= 64 bits.
   [[nodiscard]] std::array<Enclosure, 3> Evaluate(mpfr_prec_t precision) const;

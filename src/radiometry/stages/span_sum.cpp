@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "exact/recipe_evaluator.h"
@@ -14,11 +15,10 @@
 namespace truelux {
 namespace {
 
-/// What a span emits, by facet, for terms of one weight to find together.
-constexpr int kDark = -1;
-
-int EmitterOf(const AngularSpan& span) {
-  return span.is_source ? span.facet : kDark;
+/// The facet whose light a span shows, for terms of one weight to find
+/// together; none if the span is dark.
+FacetId EmitterOf(const AngularSpan& span) {
+  return span.is_source ? span.facet : FacetId();
 }
 
 bool IsZero(const Vec3<Exact>& v) {
@@ -57,7 +57,7 @@ class SpanSum {
     // A plane that contains n, as the cuts between charts do.
     if (plane.cosine_part.is_zero()) return;
     const bool below = SignOf(plane.cosine_part) == Sign::kNegative;
-    const std::size_t index = sum_.planes.size();
+    const ExactPlaneId index = sum_.planes.end_id();
     const Vec3<Exact> ascent = Cross(n_, normal);
     if (IsZero(ascent)) {
       // |v x edge_end| |N| = N.N.
@@ -71,24 +71,25 @@ class SpanSum {
 
   /// The terms that are weighted with M of one emitter minus that of another;
   /// null if that is nothing.
-  WeightedTerms* Group(int emitter, int previous) {
-    const auto [entry, is_new] = group_of_.try_emplace({emitter, previous}, -1);
+  WeightedTerms* Group(FacetId emitter, FacetId previous) {
+    const auto [entry, is_new] =
+        group_of_.try_emplace({emitter, previous}, std::nullopt);
     if (is_new) {
       Weight weight = WeightDifference(emitter, previous);
       if (std::ranges::any_of(weight,
                               [](const Exact& w) { return !w.is_zero(); })) {
-        entry->second = static_cast<int>(sum_.groups.size());
+        entry->second = sum_.groups.size();
         sum_.groups.push_back({std::move(weight), {}});
       }
     }
-    if (entry->second < 0) return nullptr;
-    return &sum_.groups[static_cast<std::size_t>(entry->second)];
+    return entry->second ? &sum_.groups[*entry->second] : nullptr;
   }
 
-  [[nodiscard]] Weight WeightDifference(int emitter, int previous) const {
+  [[nodiscard]] Weight WeightDifference(FacetId emitter,
+                                        FacetId previous) const {
     const Rgb dark{};
-    const Rgb m = emitter == kDark ? dark : WeightOf(query_, emitter);
-    const Rgb before = previous == kDark ? dark : WeightOf(query_, previous);
+    const Rgb m = emitter.valid() ? WeightOf(query_, emitter) : dark;
+    const Rgb before = previous.valid() ? WeightOf(query_, previous) : dark;
     Weight weight;
     for (std::size_t channel = 0; channel < 3; ++channel) {
       weight[channel] = Exact(m[channel]) - Exact(before[channel]);
@@ -100,7 +101,8 @@ class SpanSum {
   Vec3<Exact> n_;
   Exact n_square_;
   ExactSum sum_;
-  std::map<std::pair<int, int>, int> group_of_;  ///< -1: weighs nothing
+  /// Index into sum_.groups; nothing where the weight is nothing.
+  std::map<std::pair<FacetId, FacetId>, std::optional<std::size_t>> group_of_;
 };
 
 /// The channels in which something is seen that emits. A span has a solid
@@ -135,7 +137,7 @@ Irradiance EvaluateSpans(const ContourQuery& query, const AngularSpans& spans,
     sum.Add(vertex);
   // A form factor is E with M = 1, however the scene's emission is read.
   const Emission emission =
-      query.only_source != 0 ? Emission::kExitance : evaluation.emission;
+      query.only_source.valid() ? Emission::kExitance : evaluation.emission;
   AnswerInMultiprecision(MultiprecisionStage(sum.Take(), emission), open,
                          result);
   result.statistics.evaluated_multiprecision = 1;

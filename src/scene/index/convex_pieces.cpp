@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exact/recipe_evaluator.h"
+#include "scene/scene_access.h"
 
 namespace truelux {
 namespace {
@@ -30,7 +31,7 @@ NT Turn(const Vec3<NT>& normal, const Point3& a, const Point3& b,
 class FacetPieces {
  public:
   FacetPieces(const Scene& scene, const Facet& facet, int max_corners)
-      : view_{scene.vertices(), scene.triangles(), {}, {}},
+      : view_{VerticesOf(scene), TrianglesOf(scene), {}, {}},
         first_triangle_(facet.first_triangle),
         max_corners_(Index(max_corners)) {
     for (const Triangle& t : scene.triangles().subspan(
@@ -116,18 +117,19 @@ class FacetPieces {
 
   [[nodiscard]] bool TurnsLeft(int a, int b, int c) const {
     const auto at = [this](int vertex) {
-      return view_.vertices[Index(vertex)];
+      return view_.vertices[VertexId(vertex)];
     };
     {
       const RoundUpward rounding;
       const RecipeEvaluator<Interval> interval(view_);
-      const auto sign = TrySign(
-          Turn(interval.TriangleNormal(first_triangle_), at(a), at(b), at(c)));
+      const auto sign =
+          TrySign(Turn(interval.TriangleNormal(TriangleId(first_triangle_)),
+                       at(a), at(b), at(c)));
       if (sign) return *sign == Sign::kPositive;
     }
     const RecipeEvaluator<Exact> exact(view_);
-    return SignOf(Turn(exact.TriangleNormal(first_triangle_), at(a), at(b),
-                       at(c))) == Sign::kPositive;
+    return SignOf(Turn(exact.TriangleNormal(TriangleId(first_triangle_)), at(a),
+                       at(b), at(c))) == Sign::kPositive;
   }
 
   ReceiverView view_;
@@ -217,7 +219,7 @@ void ConvexPieces::NumberPlanes(const Scene& scene) {
     }
     return facet;
   };
-  const ReceiverView view{scene.vertices(), scene.triangles(), {}, {}};
+  const ReceiverView view{VerticesOf(scene), TrianglesOf(scene), {}, {}};
   const RecipeEvaluator<Interval> interval(view);
   const RecipeEvaluator<Exact> exact(view);
   const RoundUpward rounding;
@@ -229,9 +231,10 @@ void ConvexPieces::NumberPlanes(const Scene& scene) {
     const int b = number_of(q.facet);
     if (a == b) continue;
     // They have an edge in common, so that one more corner decides.
-    const int vertex = corners_[Index(NextCorner(NextCorner(other)))];
-    auto sign = TrySign(interval.AboveTriangle(p.triangle, vertex));
-    if (!sign) sign = SignOf(exact.AboveTriangle(p.triangle, vertex));
+    const VertexId vertex(corners_[Index(NextCorner(NextCorner(other)))]);
+    const TriangleId own(p.triangle);
+    auto sign = TrySign(interval.AboveTriangle(own, vertex));
+    if (!sign) sign = SignOf(exact.AboveTriangle(own, vertex));
     if (*sign == Sign::kZero) {
       plane_number_[Index(std::max(a, b))] = std::min(a, b);
     }

@@ -17,6 +17,7 @@
 
 #include "truelux/statistics.h"
 
+#include "base/ids.h"
 #include "exact/number.h"
 #include "exact/vec3.h"
 #include "visibility/arrangement/arrangement_view.h"
@@ -27,8 +28,7 @@ namespace truelux {
 /// A sector between two neighbouring edges at a vertex v. It begins at the
 /// first of them, on the side to which edge_plane points.
 struct AngularSpan {
-  int facet = -1;  ///< seen in it, index into Scene::facets(); -1: none, or
-                   ///< beyond the chart
+  FacetId facet;           ///< seen in it; none also beyond the chart
   bool is_source = false;  ///< whether that facet emits towards r
   Vec3<Exact> edge_end;    ///< direction of the other end of the edge
   Vec3<Exact> edge_plane;  ///< normal of the edge's plane: v x edge_end

@@ -1,11 +1,10 @@
 #include "visibility/arrangement/arrangement_engine.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <span>
 #include <utility>
 #include <vector>
 
+#include "scene/scene_access.h"
 #include "visibility/arrangement/arrangement_view.h"
 
 namespace truelux {
@@ -14,48 +13,42 @@ namespace {
 /// Gathers the arcs of all charts, source by source.
 class ContourBuilder {
  public:
-  ContourBuilder(const ContourQuery& query, std::span<const FacetView> views)
+  ContourBuilder(const ContourQuery& query, FacetViews views)
       : query_(query), views_(views), arcs_of_facet_(views.size()) {}
 
   void Add(const ViewChart& chart, const ViewMap& map) {
-    std::vector<int> direction_of(map.vertices.size(), -1);
-    const auto direction = [&](int vertex) {
-      int& index = direction_of[static_cast<std::size_t>(vertex)];
-      if (index < 0) {
-        index = AddDirection(chart.WorldFromImage(
-            map.vertices[static_cast<std::size_t>(vertex)]));
-      }
-      return index;
+    IdVector<MapVertexId, DirectionId> direction_of(map.vertices.size());
+    const auto direction = [&](MapVertexId vertex) {
+      DirectionId& id = direction_of[vertex];
+      if (!id.valid())
+        id = AddDirection(chart.WorldFromImage(map.vertices[vertex]));
+      return id;
     };
     for (const MapEdge& edge : map.edges) {
       if (!IsSource(edge.left) && !IsSource(edge.right)) continue;
       const bool on_wall =
-          OnWall(map.vertices[static_cast<std::size_t>(edge.from)],
-                 map.vertices[static_cast<std::size_t>(edge.to)]);
+          OnWall(map.vertices[edge.from], map.vertices[edge.to]);
       AddEdge(direction(edge.from), direction(edge.to), edge, on_wall);
     }
   }
 
   Contour Build() {
-    for (std::size_t f = 0; f < views_.size(); ++f) {
-      if (views_[f].is_source) ++contour_.statistics.sources;
-      const std::vector<Arc>& arcs = arcs_of_facet_[f];
+    for (const FacetId facet : views_.ids()) {
+      if (views_[facet].is_source) ++contour_.statistics.sources;
+      const std::vector<Arc>& arcs = arcs_of_facet_[facet];
       if (arcs.empty()) continue;
-      contour_.sources.push_back({static_cast<int>(f),
-                                  static_cast<int>(contour_.arcs.size()),
-                                  static_cast<int>(arcs.size())});
-      contour_.arcs.insert(contour_.arcs.end(), arcs.begin(), arcs.end());
+      contour_.sources.push_back(
+          {facet, contour_.arcs.end_id(), static_cast<int>(arcs.size())});
+      contour_.arcs.Append(arcs);
     }
     contour_.statistics.arcs = contour_.arcs.size();
     return std::move(contour_);
   }
 
  private:
-  const FacetView& View(int facet) const {
-    return views_[static_cast<std::size_t>(facet)];
+  bool IsSource(FacetId facet) const {
+    return facet.valid() && views_[facet].is_source;
   }
-
-  bool IsSource(int facet) const { return facet >= 0 && View(facet).is_source; }
 
   static bool OnWall(const ImageDirection& a, const ImageDirection& b) {
     return (ViewChart::OnHorizon(a) && ViewChart::OnHorizon(b)) ||
@@ -63,83 +56,79 @@ class ContourBuilder {
            (ViewChart::OnCutB(a) && ViewChart::OnCutB(b));
   }
 
-  int AddExplicit(Vec3<Exact> vector) {
+  ExplicitId AddExplicit(Vec3<Exact> vector) {
     return contour_.explicit_vectors.Add(std::move(vector));
   }
 
-  int AddDirection(Vec3<Exact> direction) {
-    contour_.directions.push_back({.kind = DirectionRecipe::Kind::kExplicit,
-                                   .a = AddExplicit(std::move(direction))});
-    return static_cast<int>(contour_.directions.size()) - 1;
+  DirectionId AddDirection(Vec3<Exact> direction) {
+    return contour_.directions.push_back(
+        DirectionRecipe::Explicit(AddExplicit(std::move(direction))));
   }
 
-  const Vec3<Exact>& Direction(int index) const {
-    const int entry = contour_.directions[static_cast<std::size_t>(index)].a;
-    return contour_.explicit_vectors[entry];
+  const Vec3<Exact>& Direction(DirectionId id) const {
+    return contour_.explicit_vectors[contour_.directions[id].explicit_vector()];
   }
 
-  void AddEdge(int from, int to, const MapEdge& edge, bool on_wall) {
-    const int plane = static_cast<int>(contour_.planes.size());
-    contour_.planes.push_back(
-        {.kind = PlaneRecipe::Kind::kExplicit,
-         .a = AddExplicit(Cross(Direction(from), Direction(to)))});
+  void AddEdge(DirectionId from, DirectionId to, const MapEdge& edge,
+               bool on_wall) {
+    const PlaneId plane = contour_.planes.push_back(PlaneRecipe::Explicit(
+        AddExplicit(Cross(Direction(from), Direction(to)))));
     // The plane's normal points to the left of from -> to.
     if (IsSource(edge.left)) {
-      const int face = on_wall ? 0 : EdgeFace(edge.left, edge.right, from, to);
-      ArcsOf(edge.left).push_back({plane, true, from, to, face});
+      const FaceNumber face =
+          on_wall ? FaceNumber() : EdgeFace(edge.left, edge.right, from, to);
+      arcs_of_facet_[edge.left].push_back({plane, true, from, to, face});
     }
     if (IsSource(edge.right)) {
-      const int face = on_wall ? 0 : EdgeFace(edge.right, edge.left, from, to);
-      ArcsOf(edge.right).push_back({plane, false, to, from, face});
+      const FaceNumber face =
+          on_wall ? FaceNumber() : EdgeFace(edge.right, edge.left, from, to);
+      arcs_of_facet_[edge.right].push_back({plane, false, to, from, face});
     }
   }
 
-  std::vector<Arc>& ArcsOf(int facet) {
-    return arcs_of_facet_[static_cast<std::size_t>(facet)];
-  }
-
-  int FaceNumber(int facet) const {
-    return query_.scene.facets()[static_cast<std::size_t>(facet)].face + 1;
+  FaceNumber NumberOfFaceOf(FacetId facet) const {
+    return NumberOf(FaceOf(query_.scene, facet));
   }
 
   /// The face whose edge separates a source from its neighbour in the view:
   /// the nearer of the two, because it ends there. Where both are equally near
   /// all along, the neighbour enters the source's plane; if they are coplanar,
   /// the one in front ends there.
-  int EdgeFace(int source, int neighbour, int from, int to) const {
-    if (neighbour < 0) return FaceNumber(source);
-    const FacetView& own = View(source);
-    const FacetView& other = View(neighbour);
-    for (const int end : {from, to}) {
+  FaceNumber EdgeFace(FacetId source, FacetId neighbour, DirectionId from,
+                      DirectionId to) const {
+    if (!neighbour.valid()) return NumberOfFaceOf(source);
+    const FacetView& own = views_[source];
+    const FacetView& other = views_[neighbour];
+    for (const DirectionId end : {from, to}) {
       // normal . d / height is |d| / distance along d, positive for both.
       const Vec3<Exact>& d = Direction(end);
       const Sign nearer = SignOf(Dot(own.normal, d) * other.height -
                                  Dot(other.normal, d) * own.height) *
                           SignOf(own.height) * SignOf(other.height);
-      if (nearer == Sign::kPositive) return FaceNumber(source);
-      if (nearer == Sign::kNegative) return FaceNumber(neighbour);
+      if (nearer == Sign::kPositive) return NumberOfFaceOf(source);
+      if (nearer == Sign::kNegative) return NumberOfFaceOf(neighbour);
     }
     const Vec3<Exact> line = Cross(own.normal, other.normal);
     const bool coplanar =
         line.x.is_zero() && line.y.is_zero() && line.z.is_zero();
-    return FaceNumber(coplanar ? std::min(source, neighbour) : neighbour);
+    return NumberOfFaceOf(coplanar ? std::min(source, neighbour) : neighbour);
   }
 
   const ContourQuery& query_;
-  std::span<const FacetView> views_;
-  std::vector<std::vector<Arc>> arcs_of_facet_;
+  FacetViews views_;
+  IdVector<FacetId, std::vector<Arc>> arcs_of_facet_;
   Contour contour_;
 };
 
 }  // namespace
 
 Contour ContourByArrangement(const ContourQuery& query) {
-  const std::vector<FacetView> facets = FacetViewsOf(query);
+  const IdVector<FacetId, FacetView> facets = FacetViewsOf(query);
   return ContourByArrangement(query, facets, ChartViewsOf(query, facets));
 }
 
 Contour ContourByArrangement(const ContourQuery& query,
-                             std::span<const FacetView> facets,
+                             IdSpan<FacetId, const FacetView> facets,
                              std::span<const ChartView> charts) {
   ContourBuilder builder(query, facets);
   for (const ChartView& view : charts)

@@ -32,9 +32,12 @@ namespace {
 // configured: the numbers have to go in and out.
 using Kernel = CGAL::Lazy_kernel<CGAL::Simple_cartesian<CGAL::Gmpq>>;
 
+/// Index of one of the image triangles.
+using ImageTriangleId = Id<struct ImageTriangleTag>;
+
 /// Which triangles' boundary an edge is part of; none for a line where two
 /// meet.
-using TriangleIds = std::vector<int>;
+using TriangleIds = std::vector<ImageTriangleId>;
 
 struct JoinIds {
   TriangleIds operator()(TriangleIds a, const TriangleIds& b) const {
@@ -111,18 +114,16 @@ class MapBuilder {
   using Corners = std::array<Kernel::Point_2, 3>;
 
   /// Per half-edge that is part of the map its edge there.
-  using EdgeIndex = std::unordered_map<const void*, int>;
+  using EdgeIndex = std::unordered_map<const void*, MapEdgeId>;
 
   static ImageDirection Flat(const ImagePoint& p) { return {p.x, p.y, p.w}; }
 
-  static std::size_t Index(int i) { return static_cast<std::size_t>(i); }
-
   void AddEdges() {
-    for (std::size_t t = 0; t < corners_.size(); ++t) {
+    for (const ImageTriangleId t : corners_.ids()) {
       for (std::size_t k = 0; k < 3; ++k) {
         curves_.emplace_back(
             Kernel::Segment_2(corners_[t][k], corners_[t][(k + 1) % 3]),
-            TriangleIds{static_cast<int>(t)});
+            TriangleIds{t});
       }
     }
   }
@@ -137,11 +138,11 @@ class MapBuilder {
   }
 
   void AddMeetings() {
-    std::vector<std::size_t> by_x(boxes_.size());
-    for (std::size_t i = 0; i < by_x.size(); ++i)
-      by_x[i] = i;
+    std::vector<ImageTriangleId> by_x;
+    for (const ImageTriangleId t : boxes_.ids())
+      by_x.push_back(t);
     std::ranges::sort(by_x, {},
-                      [this](std::size_t i) { return boxes_[i].xmin(); });
+                      [this](ImageTriangleId t) { return boxes_[t].xmin(); });
     for (std::size_t i = 0; i < by_x.size(); ++i) {
       const CGAL::Bbox_2& box = boxes_[by_x[i]];
       for (std::size_t j = i + 1; j < by_x.size(); ++j) {
@@ -154,7 +155,7 @@ class MapBuilder {
   }
 
   /// The segment over which both triangles are at the same depth.
-  void AddMeeting(std::size_t i, std::size_t j) {
+  void AddMeeting(ImageTriangleId i, ImageTriangleId j) {
     const Vec3<Exact> f = DepthDifference(planes_[i], planes_[j]);
     const auto in_i = LineInTriangle(f, triangles_[i]);
     if (!in_i) return;
@@ -177,13 +178,14 @@ class MapBuilder {
   void LabelFaces() {
     std::vector<std::pair<Face, TriangleIds>> open;
     const Face outside = arrangement_.unbounded_face();
-    front_.emplace(&*outside, walls_ == MapWalls::kClosed ? kOutside : -1);
+    front_.emplace(&*outside,
+                   walls_ == MapWalls::kClosed ? kOutside : FacetId());
     open.emplace_back(outside, TriangleIds{});
     const auto enter = [&](const Halfedge& own, const TriangleIds& cover) {
       const Face next = own->twin()->face();
       if (front_.contains(&*next)) return;
       TriangleIds next_cover = cover;
-      for (const int t : own->curve().data()) {
+      for (const ImageTriangleId t : own->curve().data()) {
         const auto place = std::ranges::find(next_cover, t);
         if (place == next_cover.end()) {
           next_cover.push_back(t);
@@ -213,19 +215,19 @@ class MapBuilder {
 
   /// Joins the faces on both sides of every edge that separates nothing.
   void NumberParts() {
-    std::vector<int> parent;
+    std::vector<std::size_t> parent;
     std::vector<const void*> faces;
-    std::unordered_map<const void*, int> index_of;
+    std::unordered_map<const void*, std::size_t> index_of;
     for (auto face = arrangement_.faces_begin();
          face != arrangement_.faces_end(); ++face) {
-      index_of.emplace(&*face, static_cast<int>(parent.size()));
-      parent.push_back(static_cast<int>(parent.size()));
+      index_of.emplace(&*face, parent.size());
+      parent.push_back(parent.size());
       faces.push_back(&*face);
     }
-    const auto root = [&parent](int i) {
-      while (parent[Index(i)] != i) {
-        parent[Index(i)] = parent[Index(parent[Index(i)])];
-        i = parent[Index(i)];
+    const auto root = [&parent](std::size_t i) {
+      while (parent[i] != i) {
+        parent[i] = parent[parent[i]];
+        i = parent[i];
       }
       return i;
     };
@@ -234,11 +236,11 @@ class MapBuilder {
       const Face left = edge->face();
       const Face right = edge->twin()->face();
       if (front_.at(&*left) != front_.at(&*right)) continue;
-      parent[Index(root(index_of.at(&*left)))] = root(index_of.at(&*right));
+      parent[root(index_of.at(&*left))] = root(index_of.at(&*right));
     }
     std::vector<int> number(parent.size(), -1);
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      int& own = number[Index(root(static_cast<int>(i)))];
+      int& own = number[root(i)];
       if (own < 0) own = part_count_++;
       part_.emplace(faces[i], own);
     }
@@ -247,8 +249,8 @@ class MapBuilder {
   /// The nearest of the triangles that cover the face on the left of an edge:
   /// judged at the middle of the edge and, where two are equal there, a step
   /// to the left of it.
-  int FrontFacet(const Halfedge& edge, const TriangleIds& cover) const {
-    if (cover.empty()) return -1;
+  FacetId FrontFacet(const Halfedge& edge, const TriangleIds& cover) const {
+    if (cover.empty()) return {};
     const Kernel::Point_2& source = edge->source()->point();
     const Kernel::Point_2& target = edge->target()->point();
     const ImageDirection middle = DirectionOf(CGAL::midpoint(source, target));
@@ -257,23 +259,22 @@ class MapBuilder {
     // target - source turned left; from and to have positive depths.
     const Exact step_x = from.y * to.z - to.y * from.z;
     const Exact step_y = to.x * from.z - from.x * to.z;
-    const auto nearer = [&](int a, int b) {
-      const Vec3<Exact> f =
-          DepthDifference(planes_[Index(a)], planes_[Index(b)]);
+    const auto nearer = [&](ImageTriangleId a, ImageTriangleId b) {
+      const Vec3<Exact> f = DepthDifference(planes_[a], planes_[b]);
       Sign sign = SignOf(Dot(f, middle));
       if (sign == Sign::kZero) sign = SignOf(f.x * step_x + f.y * step_y);
       if (sign != Sign::kZero) return sign == Sign::kNegative;
-      return triangles_[Index(a)].facet < triangles_[Index(b)].facet;
+      return triangles_[a].facet < triangles_[b].facet;
     };
-    return triangles_[Index(*std::ranges::min_element(cover, nearer))].facet;
+    return triangles_[*std::ranges::min_element(cover, nearer)].facet;
   }
 
   ViewMap CollectEdges() const {
     ViewMap map;
-    std::unordered_map<const void*, int> index_of;
+    std::unordered_map<const void*, MapVertexId> index_of;
     const auto index = [&](Arrangement::Vertex_const_handle vertex) {
       const auto [entry, is_new] =
-          index_of.try_emplace(&*vertex, static_cast<int>(map.vertices.size()));
+          index_of.try_emplace(&*vertex, map.vertices.end_id());
       if (is_new) map.vertices.push_back(DirectionOf(vertex->point()));
       return entry->second;
     };
@@ -282,15 +283,15 @@ class MapBuilder {
          edge != arrangement_.edges_end(); ++edge) {
       const void* left_face = &*edge->face();
       const void* right_face = &*edge->twin()->face();
-      const int left = front_.at(left_face);
-      const int right = front_.at(right_face);
+      const FacetId left = front_.at(left_face);
+      const FacetId right = front_.at(right_face);
       if (left == right) continue;
-      const int from = index(edge->source());
-      const int to = index(edge->target());
-      edge_index[&*edge] = static_cast<int>(map.edges.size());
-      edge_index[&*edge->twin()] = static_cast<int>(map.edges.size());
-      map.edges.push_back(
+      const MapVertexId from = index(edge->source());
+      const MapVertexId to = index(edge->target());
+      const MapEdgeId id = map.edges.push_back(
           {from, to, left, right, part_.at(left_face), part_.at(right_face)});
+      edge_index[&*edge] = id;
+      edge_index[&*edge->twin()] = id;
     }
     map.part_count = part_count_;
     map.edges_around.resize(map.vertices.size());
@@ -298,15 +299,15 @@ class MapBuilder {
          vertex != arrangement_.vertices_end(); ++vertex) {
       const auto entry = index_of.find(&*vertex);
       if (entry == index_of.end()) continue;
-      map.edges_around[Index(entry->second)] = EdgesAround(vertex, edge_index);
+      map.edges_around[entry->second] = EdgesAround(vertex, edge_index);
     }
     return map;
   }
 
   /// The edges of the map among those that end at a vertex.
-  static std::vector<int> EdgesAround(Arrangement::Vertex_const_handle vertex,
-                                      const EdgeIndex& edge_index) {
-    std::vector<int> edges;
+  static std::vector<MapEdgeId> EdgesAround(
+      Arrangement::Vertex_const_handle vertex, const EdgeIndex& edge_index) {
+    std::vector<MapEdgeId> edges;
     const auto first = vertex->incident_halfedges();
     auto edge = first;
     do {
@@ -317,15 +318,15 @@ class MapBuilder {
     return edges;
   }
 
-  std::span<const ImageTriangle> triangles_;
-  std::vector<ImagePlane> planes_;
-  std::vector<Corners> corners_;
-  std::vector<CGAL::Bbox_2> boxes_;
+  IdSpan<ImageTriangleId, const ImageTriangle> triangles_;
+  IdVector<ImageTriangleId, ImagePlane> planes_;
+  IdVector<ImageTriangleId, Corners> corners_;
+  IdVector<ImageTriangleId, CGAL::Bbox_2> boxes_;
   std::vector<Traits::Curve_2> curves_;
   Arrangement arrangement_;
   MapWalls walls_;
-  std::unordered_map<const void*, int> front_;  ///< facet per face
-  std::unordered_map<const void*, int> part_;   ///< see MapEdge, per face
+  std::unordered_map<const void*, FacetId> front_;  ///< per face
+  std::unordered_map<const void*, int> part_;       ///< see MapEdge, per face
   int part_count_ = 0;
 };
 

@@ -6,17 +6,24 @@
 #include <span>
 #include <vector>
 
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "visibility/arrangement/arrangement_chart.h"
 #include "visibility/arrangement/arrangement_types.h"
 
 namespace truelux {
 
+/// Index into ViewMap::vertices.
+using MapVertexId = Id<struct MapVertexTag>;
+/// Index into ViewMap::edges.
+using MapEdgeId = Id<struct MapEdgeTag>;
+
 /// An edge between two parts of the view; from and to are different points.
 struct MapEdge {
-  int from = -1;  ///< index into ViewMap::vertices
-  int to = -1;
-  int left = -1;   ///< facet seen on the left of from -> to; -1: none
-  int right = -1;  ///< another facet, or -1
+  MapVertexId from;
+  MapVertexId to;
+  FacetId left;   ///< seen on the left of from -> to; or none
+  FacetId right;  ///< another one, or none
   /// The connected parts of the view on both sides, numbered from 0 in each
   /// map: two edges have the same number where they bound the same part.
   int left_part = -1;
@@ -30,16 +37,15 @@ enum class MapWalls {
 };
 
 /// Stands for a facet beyond the walls of a chart.
-inline constexpr int kOutside = -2;
+inline constexpr FacetId kOutside{-2};
 
 /// The view in one chart. Edges between parts with the same facet are left
 /// out.
 struct ViewMap {
-  std::vector<ImageDirection> vertices;
-  std::vector<MapEdge> edges;
-  /// Per vertex the edges that end there, indices into `edges`, counter-
-  /// clockwise in the chart.
-  std::vector<std::vector<int>> edges_around;
+  IdVector<MapVertexId, ImageDirection> vertices;
+  IdVector<MapEdgeId, MapEdge> edges;
+  /// The edges that end at each vertex, counter-clockwise in the chart.
+  IdVector<MapVertexId, std::vector<MapEdgeId>> edges_around;
   int part_count = 0;
 };
 

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "base/ids.h"
 #include "visibility/arrangement/arrangement_chart.h"
 
 namespace truelux {
@@ -13,7 +14,7 @@ namespace truelux {
 /// not seen edge-on.
 struct ImageTriangle {
   std::array<ImagePoint, 3> corners;
-  int facet = -1;  ///< index into Scene::facets()
+  FacetId facet;
 };
 
 }  // namespace truelux

@@ -5,9 +5,10 @@
 #define TRUELUX_VISIBILITY_ARRANGEMENT_ARRANGEMENT_VIEW_H_
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "visibility/arrangement/arrangement_chart.h"
 #include "visibility/arrangement/arrangement_map.h"
 #include "visibility/contour.h"
@@ -22,8 +23,11 @@ struct FacetView {
   Exact height;            ///< normal . (p - r); negative: r is in front
 };
 
+/// What a receiver needs to know of every facet of a scene.
+using FacetViews = IdSpan<FacetId, const FacetView>;
+
 /// One entry per facet of the query's scene.
-std::vector<FacetView> FacetViewsOf(const ContourQuery& query);
+IdVector<FacetId, FacetView> FacetViewsOf(const ContourQuery& query);
 
 /// One chart and what is front-most in it.
 struct ChartView {
@@ -34,12 +38,12 @@ struct ChartView {
 /// The charts that hold some of a source, hidden or not. views: FacetViewsOf
 /// the same query.
 std::vector<ChartView> ChartViewsOf(const ContourQuery& query,
-                                    std::span<const FacetView> views);
+                                    FacetViews views);
 
 /// One of the four charts, by its number from 0, with closed walls, whatever it
 /// holds.
-ChartView WholeChartViewOf(const ContourQuery& query,
-                           std::span<const FacetView> views, std::size_t chart);
+ChartView WholeChartViewOf(const ContourQuery& query, FacetViews views,
+                           std::size_t chart);
 
 }  // namespace truelux
 

@@ -23,7 +23,7 @@ ConeMaker<Geometry>::ConeMaker(Geometry& geometry, const ConvexPieces& pieces)
 
 template <class Geometry>
 void ConeMaker<Geometry>::SetReceiver() {
-  horizon_ = geometry_.AddPlane({.kind = PlaneRecipe::Kind::kHorizon});
+  horizon_ = geometry_.AddPlane(PlaneRecipe::OfHorizon());
   horizon_side_.clear();
   receiver_sides_.Clear();
   edge_planes_.Clear();
@@ -51,11 +51,10 @@ int ConeMaker<Geometry>::EdgePlane(int edge) {
   return edge_planes_.FindOrMake(edge, [&] {
     const int index = pieces_.PieceOf(edge);
     const auto corners = pieces_.corners();
-    PlaneRecipe recipe{.kind = PlaneRecipe::Kind::kEdge,
-                       .a = corners[Index(edge)],
-                       .b = corners[Index(pieces_.NextCorner(edge))]};
-    if (ReceiverSide(index) != Sign::kPositive) std::swap(recipe.a, recipe.b);
-    return geometry_.AddPlane(recipe);
+    VertexId from(corners[Index(edge)]);
+    VertexId to(corners[Index(pieces_.NextCorner(edge))]);
+    if (ReceiverSide(index) != Sign::kPositive) std::swap(from, to);
+    return geometry_.AddPlane(PlaneRecipe::OfEdge(from, to));
   });
 }
 
@@ -151,10 +150,8 @@ std::optional<Cone> ConeMaker<Geometry>::AboveHorizon(int piece) {
   if (!any_above) return std::nullopt;
   if (!any_below) return Whole(piece);
   return Clip(piece, sides, horizon_, [&](std::size_t p, std::size_t q) {
-    return geometry_.AddDirection(
-        {.kind = DirectionRecipe::Kind::kEdgeAtHorizon,
-         .a = corners[p],
-         .b = corners[q]});
+    return geometry_.AddDirection(DirectionRecipe::EdgeAtHorizon(
+        VertexId(corners[p]), VertexId(corners[q])));
   });
 }
 
@@ -166,16 +163,12 @@ Cone ConeMaker<Geometry>::InFrontOf(int source, int piece,
   const auto corners = pieces_.CornersOf(p);
   // c = sign(h_T) (h_T N_S - h_S N_T), method.md eq. (5): c . d > 0 where the
   // ray along d meets T in front of the plane of S.
-  const int cut =
-      geometry_.AddPlane({.kind = PlaneRecipe::Kind::kCut,
-                          .negated = ReceiverSide(piece) == Sign::kNegative,
-                          .a = source,
-                          .b = p.triangle});
+  const int cut = geometry_.AddPlane(
+      PlaneRecipe::OfCut(TriangleId(source), TriangleId(p.triangle))
+          .NegatedIf(ReceiverSide(piece) == Sign::kNegative));
   return Clip(piece, sides, cut, [&](std::size_t i, std::size_t j) {
-    return geometry_.AddDirection({.kind = DirectionRecipe::Kind::kEdgeAtPlane,
-                                   .a = corners[i],
-                                   .b = corners[j],
-                                   .c = source});
+    return geometry_.AddDirection(DirectionRecipe::EdgeAtPlane(
+        VertexId(corners[i]), VertexId(corners[j]), TriangleId(source)));
   });
 }
 

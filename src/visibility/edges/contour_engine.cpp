@@ -5,6 +5,7 @@
 
 #include "base/stamped_table.h"
 #include "scene/emitters.h"
+#include "scene/scene_access.h"
 #include "visibility/edges/blocker_parts.h"
 #include "visibility/edges/cone.h"
 #include "visibility/edges/contour_writer.h"
@@ -55,7 +56,7 @@ class BasicContourBuilder<kKind>::Impl {
   explicit Impl(const ContourEngine& engine)
       : engine_(engine),
         geometry_(
-            {engine.scene().vertices(), engine.scene().triangles(), {}, {}},
+            {VerticesOf(engine.scene()), TrianglesOf(engine.scene()), {}, {}},
             engine.triangle_normals()),
         cones_(geometry_, engine.pieces()),
         source_(engine.scene(), engine.pieces(), geometry_, cones_),
@@ -83,13 +84,13 @@ class BasicContourBuilder<kKind>::Impl {
     const RoundUpward rounding;
     geometry_.SetReceiver(query.receiver.position, query.receiver.normal);
     cones_.SetReceiver();
-    ignored_.SetOnFace(query.receiver.on_face);
+    ignored_.SetOnFace(FaceNumber(query.receiver.on_face));
     arcs_of_all_.clear();
     ends_.clear();
     source_count_ = 0;
     blocker_count_ = 0;
     const Receiver& receiver = query.receiver;
-    if (query.only_source == 0) {
+    if (!query.only_source.valid()) {
       for (std::size_t e = 0; e < engine_.emitters().size(); ++e) {
         const ContourEngine::Emitter& emitter = engine_.emitters()[e];
         if (!StartSource(emitter.facet)) continue;
@@ -97,14 +98,11 @@ class BasicContourBuilder<kKind>::Impl {
         FinishSource(emitter.facet);
       }
     } else {
-      const Face& face =
-          engine_.scene()
-              .faces()[static_cast<std::size_t>(query.only_source - 1)];
-      for (int f = face.first_facet; f < face.first_facet + face.facet_count;
-           ++f) {
-        if (!StartSource(f)) continue;
-        AddPieces(engine_.ShaftsTo(f), receiver, nullptr);
-        FinishSource(f);
+      const FaceId face = IndexOf(query.only_source);
+      for (const FacetId f : FacetsOf(FacesOf(engine_.scene())[face])) {
+        if (!StartSource(f.value())) continue;
+        AddPieces(engine_.ShaftsTo(f.value()), receiver, nullptr);
+        FinishSource(f.value());
       }
     }
     const std::size_t all_arcs = arcs_of_all_.size();
@@ -134,7 +132,7 @@ class BasicContourBuilder<kKind>::Impl {
 
   /// False if nothing of the facet can be seen.
   bool StartSource(int facet) {
-    if (ignored_.IsIgnored(facet) ||
+    if (ignored_.IsIgnored(FacetId(facet)) ||
         cones_.ReceiverSide(engine_.pieces().FirstPieceOf(facet)) !=
             Sign::kNegative ||
         !source_.SetSource(facet)) {
@@ -161,7 +159,7 @@ class BasicContourBuilder<kKind>::Impl {
     ImageBox box;
     if (!blockers_.MayBlock(piece, box)) return;
     const Piece& p = engine_.pieces().pieces()[static_cast<std::size_t>(piece)];
-    if (!ignored_.IsIgnored(p.facet)) blockers_.Add(piece, box);
+    if (!ignored_.IsIgnored(FacetId(p.facet))) blockers_.Add(piece, box);
   }
 
   void FinishSource(int facet) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/scene_access.h"
 #include "visibility/contour.h"
 #include "visibility/edges/source_contour.h"
 
@@ -37,19 +38,16 @@ class ContourWriter {
 
   void WriteSource(int facet, std::span<const ViewArc> arcs) {
     if (arcs.empty()) return;
-    plane_index_.resize(static_cast<std::size_t>(geometry_.plane_count()),
-                        kNotWritten);
+    plane_index_.resize(static_cast<std::size_t>(geometry_.plane_count()));
     direction_index_.resize(
-        static_cast<std::size_t>(geometry_.direction_count()), kNotWritten);
-    contour_->sources.push_back({facet, static_cast<int>(contour_->arcs.size()),
+        static_cast<std::size_t>(geometry_.direction_count()));
+    contour_->sources.push_back({FacetId(facet), contour_->arcs.end_id(),
                                  static_cast<int>(arcs.size())});
     for (const ViewArc& arc : arcs)
       WriteArc(arc);
   }
 
  private:
-  static constexpr int kNotWritten = -1;
-
   void WriteArc(const ViewArc& view_arc) {
     Arc arc;
     arc.plane = PlaneIndex(view_arc.edge.plane);
@@ -58,39 +56,34 @@ class ContourWriter {
     arc.to = Position(view_arc.edge, view_arc.piece.end);
     if (!arc.positive) std::swap(arc.from, arc.to);
     if (view_arc.owner >= 0) {
-      const int facet =
-          pieces_.pieces()[static_cast<std::size_t>(view_arc.owner)].facet;
-      arc.edge_face = scene_.facets()[static_cast<std::size_t>(facet)].face + 1;
+      const FacetId facet(
+          pieces_.pieces()[static_cast<std::size_t>(view_arc.owner)].facet);
+      arc.edge_face = NumberOf(FaceOf(scene_, facet));
     }
     contour_->arcs.push_back(arc);
   }
 
-  int Position(const ViewEdge& edge, const EdgePosition& position) {
+  DirectionId Position(const ViewEdge& edge, const EdgePosition& position) {
     if (position.plane == kFromEnd) return DirectionIndex(edge.from);
     if (position.plane == kToEnd) return DirectionIndex(edge.to);
     // With N a positive multiple of u x v, N x A is one of (A.u) v - (A.v) u,
     // which points between u and v if A.u > 0 > A.v, else away from there.
-    contour_->directions.push_back({.kind = DirectionRecipe::Kind::kCrossing,
-                                    .negated = position.from == Sign::kNegative,
-                                    .a = PlaneIndex(edge.plane),
-                                    .b = PlaneIndex(position.plane)});
-    return static_cast<int>(contour_->directions.size()) - 1;
+    const PlaneId own = PlaneIndex(edge.plane);
+    return contour_->directions.push_back(
+        DirectionRecipe::Crossing(own, PlaneIndex(position.plane))
+            .NegatedIf(position.from == Sign::kNegative));
   }
 
-  int PlaneIndex(int id) {
-    int& index = plane_index_[static_cast<std::size_t>(id)];
-    if (index == kNotWritten) {
-      index = static_cast<int>(contour_->planes.size());
-      contour_->planes.push_back(geometry_.plane(id));
-    }
+  PlaneId PlaneIndex(int id) {
+    PlaneId& index = plane_index_[static_cast<std::size_t>(id)];
+    if (!index.valid()) index = contour_->planes.push_back(geometry_.plane(id));
     return index;
   }
 
-  int DirectionIndex(int id) {
-    int& index = direction_index_[static_cast<std::size_t>(id)];
-    if (index == kNotWritten) {
-      index = static_cast<int>(contour_->directions.size());
-      contour_->directions.push_back(geometry_.direction(id));
+  DirectionId DirectionIndex(int id) {
+    DirectionId& index = direction_index_[static_cast<std::size_t>(id)];
+    if (!index.valid()) {
+      index = contour_->directions.push_back(geometry_.direction(id));
     }
     return index;
   }
@@ -99,8 +92,8 @@ class ContourWriter {
   const ConvexPieces& pieces_;
   const Geometry& geometry_;
   Contour* contour_ = nullptr;
-  std::vector<int> plane_index_;      ///< per plane id, or kNotWritten
-  std::vector<int> direction_index_;  ///< per direction id, or kNotWritten
+  std::vector<PlaneId> plane_index_;          ///< per id of the geometry
+  std::vector<DirectionId> direction_index_;  ///< per id of the geometry
 };
 
 }  // namespace truelux

@@ -97,9 +97,7 @@ class SourceJoin {
   }
 
   [[nodiscard]] bool IsReversed(int plane, int other) const {
-    const PlaneRecipe& p = geometry_.plane(plane);
-    const PlaneRecipe& q = geometry_.plane(other);
-    return p.a == q.b && p.b == q.a && p.negated == q.negated;
+    return geometry_.plane(plane).IsReverseOf(geometry_.plane(other));
   }
 
   [[nodiscard]] bool IsSame(const ViewEdge& edge_a, const EdgePosition& a,

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <tuple>
 
+#include "scene/scene_access.h"
+
 namespace truelux {
 namespace {
 
@@ -27,7 +29,7 @@ struct EdgeUse {
 };
 
 DirectionRecipe VertexRecipe(int v) {
-  return {.kind = DirectionRecipe::Kind::kVertex, .a = v};
+  return DirectionRecipe::ToVertex(VertexId(v));
 }
 
 }  // namespace
@@ -43,8 +45,8 @@ EdgeIndex::EdgeIndex(const ContourQuery& query, std::span<const int> triangles)
   AddEdges();
   const RoundUpward rounding;
   for (const Edge& edge : edges_) {
-    planes_.push_back(
-        Cross(interval_.FromReceiver(edge.a), interval_.FromReceiver(edge.b)));
+    planes_.push_back(Cross(interval_.FromReceiver(VertexId(edge.a)),
+                            interval_.FromReceiver(VertexId(edge.b))));
   }
 }
 
@@ -54,7 +56,7 @@ void EdgeIndex::AddEdges() {
   for (const int t : triangles_) {
     const auto& vertices = query_.scene.triangles()[Index(t)].vertices;
     // (from x to) . third is the triangle's height h.
-    const Sign height = sides_.OfReceiver(t);
+    const Sign height = sides_.OfReceiver(TriangleId(t));
     assert(height != Sign::kZero);
     for (std::size_t k = 0; k < 3; ++k) {
       const int from = vertices[k];
@@ -163,8 +165,8 @@ std::optional<SeenEdge> EdgeIndex::AlongArc(int facet, const Vec3<Exact>& from,
           [&](const auto& n) { return FacetOf(n.triangle) == facet; });
       if (in_facet > 1) continue;
       const Edge& edge = edges_[Index(own.edge)];
-      const Vec3<Exact> a = exact_.FromReceiver(edge.a);
-      const Vec3<Exact> b = exact_.FromReceiver(edge.b);
+      const Vec3<Exact> a = exact_.FromReceiver(VertexId(edge.a));
+      const Vec3<Exact> b = exact_.FromReceiver(VertexId(edge.b));
       if (PointOnArc(a, b, from) && PointOnArc(a, b, to))
         return NameOf(own.edge);
     }
@@ -173,8 +175,9 @@ std::optional<SeenEdge> EdgeIndex::AlongArc(int facet, const Vec3<Exact>& from,
 }
 
 Sign EdgeIndex::DepthOrder(int facet, int other, const Vec3<Exact>& d) const {
-  const int t = query_.scene.facets()[Index(facet)].first_triangle;
-  const int u = query_.scene.facets()[Index(other)].first_triangle;
+  const auto facets = FacetsOf(query_.scene);
+  const TriangleId t = FirstTriangleOf(facets[FacetId(facet)]);
+  const TriangleId u = FirstTriangleOf(facets[FacetId(other)]);
   const Exact h = exact_.Height(t);
   const Exact h_other = exact_.Height(u);
   const Exact slope = Dot(exact_.TriangleNormal(t), d);
@@ -186,8 +189,9 @@ Sign EdgeIndex::DepthOrder(int facet, int other, const Vec3<Exact>& d) const {
 }
 
 Vec3<Exact> EdgeIndex::MeetingPlane(int facet, int other) const {
-  const int t = query_.scene.facets()[Index(facet)].first_triangle;
-  const int u = query_.scene.facets()[Index(other)].first_triangle;
+  const auto facets = FacetsOf(query_.scene);
+  const TriangleId t = FirstTriangleOf(facets[FacetId(facet)]);
+  const TriangleId u = FirstTriangleOf(facets[FacetId(other)]);
   return exact_.Height(u) * exact_.TriangleNormal(t) -
          exact_.Height(t) * exact_.TriangleNormal(u);
 }

@@ -51,8 +51,9 @@ void EdgesAt::FindSides() {
   const RecipeEvaluator<Exact>& exact = index_.exact();
   for (const int e : open) {
     const Segment segment = index_.SegmentOf(e);
-    sides_[Index(e)] = SignOf(Determinant(exact.FromReceiver(segment.a),
-                                          exact.FromReceiver(segment.b), d_));
+    sides_[Index(e)] =
+        SignOf(Determinant(exact.FromReceiver(VertexId(segment.a)),
+                           exact.FromReceiver(VertexId(segment.b)), d_));
     if (sides_[Index(e)] != Sign::kZero) continue;
     auto passing = Pass(segment);
     if (!passing) continue;
@@ -138,7 +139,7 @@ void EdgesAt::AddMeetings(int facet, std::vector<EdgeHit>& hits) const {
 
 /// Whether a scene vertex lies in the direction.
 bool EdgesAt::IsVertex(int vertex) const {
-  const Vec3<Exact> v = index_.exact().FromReceiver(vertex);
+  const Vec3<Exact> v = index_.exact().FromReceiver(VertexId(vertex));
   return IsZero(Cross(v, d_)) && SignOf(Dot(v, d_)) == Sign::kPositive;
 }
 
@@ -148,7 +149,7 @@ EdgesAt::Reach EdgesAt::ReachOf(int triangle, const Vec3<Exact>& plane) const {
   std::array<Vec3<Exact>, 3> at;
   std::array<Exact, 3> side;
   for (std::size_t k = 0; k < 3; ++k) {
-    at[k] = index_.exact().FromReceiver(corners[k]);
+    at[k] = index_.exact().FromReceiver(VertexId(corners[k]));
     side[k] = Dot(plane, at[k]);
   }
   Reach reach;

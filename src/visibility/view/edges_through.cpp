@@ -49,7 +49,8 @@ void EdgesThrough::AddTriangle(int triangle) {
       Edge edge;
       edge.a = a;
       edge.b = b;
-      edge.plane = Cross(exact_.FromReceiver(a), exact_.FromReceiver(b));
+      edge.plane = Cross(exact_.FromReceiver(VertexId(a)),
+                         exact_.FromReceiver(VertexId(b)));
       const RoundUpward rounding;
       edge.rough_plane = RoughOf(edge.plane);
       edges_.push_back(std::move(edge));
@@ -86,8 +87,8 @@ void EdgesThrough::FindEdges() {
       rough_side_[Index(e)] = static_cast<std::int8_t>(side);
       continue;
     }
-    const Vec3<Exact> a = exact_.FromReceiver(edge.a);
-    const Vec3<Exact> b = exact_.FromReceiver(edge.b);
+    const Vec3<Exact> a = exact_.FromReceiver(VertexId(edge.a));
+    const Vec3<Exact> b = exact_.FromReceiver(VertexId(edge.b));
     Passing passing{e, -1, Dot(Cross(d_, b), edge.plane),
                     Dot(Cross(a, d_), edge.plane)};
     const Sign at_a = SignOf(passing.weight_a);
@@ -133,7 +134,7 @@ int EdgesThrough::FaceOf(int facet) const {
 /// Positive if a vertex is on r's side of a facet's plane.
 Sign EdgesThrough::InFrontOfPlane(int facet, int vertex) const {
   const int triangle = query_.scene.facets()[Index(facet)].first_triangle;
-  return SignOf(exact_.AboveTriangle(triangle, vertex)) *
+  return SignOf(exact_.AboveTriangle(TriangleId(triangle), VertexId(vertex))) *
          -SignOf(views_[Index(facet)].height);
 }
 
@@ -184,8 +185,10 @@ bool EdgesThrough::IsBehind(const Passing& passing, int facet) const {
   const Edge& edge = edges_[Index(passing.edge)];
   const int triangle = query_.scene.facets()[Index(facet)].first_triangle;
   const Exact above =
-      passing.weight_a * exact_.AboveTriangle(triangle, edge.a) +
-      passing.weight_b * exact_.AboveTriangle(triangle, edge.b);
+      passing.weight_a *
+          exact_.AboveTriangle(TriangleId(triangle), VertexId(edge.a)) +
+      passing.weight_b *
+          exact_.AboveTriangle(TriangleId(triangle), VertexId(edge.b));
   return SignOf(above) * -SignOf(views_[Index(facet)].height) ==
          Sign::kNegative;
 }
@@ -216,7 +219,7 @@ std::vector<EdgeHit> EdgesThrough::OfSource(int facet) const {
 
 /// Whether a scene vertex lies in the direction.
 bool EdgesThrough::IsVertex(int vertex) const {
-  const Vec3<Exact> v = exact_.FromReceiver(vertex);
+  const Vec3<Exact> v = exact_.FromReceiver(VertexId(vertex));
   return IsZero(Cross(v, d_)) && SignOf(Dot(v, d_)) == Sign::kPositive;
 }
 
@@ -301,7 +304,7 @@ std::optional<EdgeHit> EdgesThrough::MeetingAt(int s, int t) const {
   for (const auto* corners : {&v, &w}) {
     std::array<Exact, 3> value;
     for (std::size_t k = 0; k < 3; ++k)
-      value[k] = Dot(plane, exact_.FromReceiver((*corners)[k]));
+      value[k] = Dot(plane, exact_.FromReceiver(VertexId((*corners)[k])));
     bool back = false;
     bool on = false;
     const auto add_end = [&](const Vec3<Exact>& end) {
@@ -311,8 +314,8 @@ std::optional<EdgeHit> EdgesThrough::MeetingAt(int s, int t) const {
     };
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
-      const Vec3<Exact> p = exact_.FromReceiver((*corners)[k]);
-      const Vec3<Exact> q = exact_.FromReceiver((*corners)[next]);
+      const Vec3<Exact> p = exact_.FromReceiver(VertexId((*corners)[k]));
+      const Vec3<Exact> q = exact_.FromReceiver(VertexId((*corners)[next]));
       if (value[k].is_zero()) {
         add_end(p);
         if (IsVertex((*corners)[k])) vertex = (*corners)[k];
@@ -342,8 +345,8 @@ std::optional<SeenEdge> EdgesThrough::AlongArc(int facet,
           edge.neighbours,
           [&](const Neighbour& n) { return FacetOf(n.triangle) == facet; });
       if (in_facet > 1) continue;
-      const Vec3<Exact> a = exact_.FromReceiver(edge.a);
-      const Vec3<Exact> b = exact_.FromReceiver(edge.b);
+      const Vec3<Exact> a = exact_.FromReceiver(VertexId(edge.a));
+      const Vec3<Exact> b = exact_.FromReceiver(VertexId(edge.b));
       const bool holds =
           std::ranges::all_of(std::array{&from, &to}, [&](const auto* d) {
             return Dot(edge.plane, *d).is_zero() &&

@@ -19,7 +19,7 @@ FacetFront::FacetFront(const ContourQuery& query, int facet)
       sides_(ViewOf(query)),
       facet_(facet),
       triangle_(query.scene.facets()[Index(facet)].first_triangle),
-      receiver_side_(-sides_.OfReceiver(triangle_)) {
+      receiver_side_(-sides_.OfReceiver(TriangleId(triangle_))) {
   assert(receiver_side_ != Sign::kZero);
 }
 
@@ -32,7 +32,8 @@ int FacetFront::FaceOf(int facet) const {
 }
 
 Sign FacetFront::SideOf(int vertex) const {
-  return sides_.OfVertex(triangle_, vertex) * receiver_side_;
+  return sides_.OfVertex(TriangleId(triangle_), VertexId(vertex)) *
+         receiver_side_;
 }
 
 bool FacetFront::IsBehind(const Segment& segment, const ArcPoint& point) const {
@@ -41,8 +42,10 @@ bool FacetFront::IsBehind(const Segment& segment, const ArcPoint& point) const {
   // the weights are those of the point on the segment.
   const RecipeEvaluator<Exact>& exact = sides_.exact();
   const Exact above =
-      point.weight_from * exact.AboveTriangle(triangle_, segment.a) +
-      point.weight_to * exact.AboveTriangle(triangle_, segment.b);
+      point.weight_from *
+          exact.AboveTriangle(TriangleId(triangle_), VertexId(segment.a)) +
+      point.weight_to *
+          exact.AboveTriangle(TriangleId(triangle_), VertexId(segment.b));
   return SignOf(above) * receiver_side_ == Sign::kNegative;
 }
 
@@ -70,7 +73,6 @@ std::optional<Segment> FacetFront::CutOf(int triangle) const {
     any_behind = any_behind || side[k] == Sign::kNegative;
   }
   if (!any_in_front || !any_behind) return std::nullopt;
-  using Kind = DirectionRecipe::Kind;
   Segment cut;
   bool is_first = true;
   const auto add_end = [&](const DirectionRecipe& end, int vertex) {
@@ -82,14 +84,14 @@ std::optional<Segment> FacetFront::CutOf(int triangle) const {
     const std::size_t next = (k + 1) % 3;
     const int a = t.vertices[k];
     const int b = t.vertices[next];
-    if (side[k] == Sign::kZero) add_end({.kind = Kind::kVertex, .a = a}, a);
+    if (side[k] == Sign::kZero)
+      add_end(DirectionRecipe::ToVertex(VertexId(a)), a);
     if (side[k] * side[next] != Sign::kNegative) continue;
     // The recipe begins with the vertex in front of the triangle.
     const bool a_first = side[k] == receiver_side_;
-    add_end({.kind = Kind::kEdgeAtPlane,
-             .a = a_first ? a : b,
-             .b = a_first ? b : a,
-             .c = triangle_},
+    add_end(DirectionRecipe::EdgeAtPlane(VertexId(a_first ? a : b),
+                                         VertexId(a_first ? b : a),
+                                         TriangleId(triangle_)),
             -1);
   }
   cut.edge = {FaceOf(t.facet) + 1, -1, -1, FaceOf(facet_) + 1};

@@ -41,7 +41,7 @@ class Partition {
 
 /// What is on one side of an edge.
 struct EdgeSide {
-  int facet = kOutside;
+  int facet = kOutside.value();
   int part = -1;  ///< number over all charts
 };
 
@@ -110,15 +110,15 @@ class Gluing {
     const auto side = [&](int facet, int part) {
       return EdgeSide{facet, part_of_[Index(part)]};
     };
-    EdgeSide left = side(edge.left, edge.left_part);
-    EdgeSide right = side(edge.right, edge.right_part);
-    int from = vertex_of_[Index(edge.from)];
-    int to = vertex_of_[Index(edge.to)];
-    if (left.facet == kOutside) {
+    EdgeSide left = side(edge.left.value(), edge.left_part);
+    EdgeSide right = side(edge.right.value(), edge.right_part);
+    int from = vertex_of_[edge.from.index()];
+    int to = vertex_of_[edge.to.index()];
+    if (left.facet == kOutside.value()) {
       std::swap(left, right);
       std::swap(from, to);
     }
-    const bool on_wall = right.facet == kOutside;
+    const bool on_wall = right.facet == kOutside.value();
     if (!on_wall || (view_.vertices[Index(from)].on_horizon &&
                      view_.vertices[Index(to)].on_horizon)) {
       AddArc(from, to, left, right);
@@ -130,8 +130,8 @@ class Gluing {
   /// piece: with its chart on the left, whichever end is first.
   void AddCutPiece(const ChartView& view, const MapEdge& edge, CutPiece piece) {
     const ViewMap& map = view.map;
-    const bool on_a = ViewChart::OnCutA(map.vertices[Index(edge.from)]) &&
-                      ViewChart::OnCutA(map.vertices[Index(edge.to)]);
+    const bool on_a = ViewChart::OnCutA(map.vertices[edge.from]) &&
+                      ViewChart::OnCutA(map.vertices[edge.to]);
     const ImageDirection corner{Exact(on_a ? 0 : 1), Exact(on_a ? 1 : 0),
                                 Exact(1)};
     const Vec3<Exact> end = view.chart.WorldFromImage(corner);
@@ -182,7 +182,7 @@ class Gluing {
   void AddArc(int from, int to, const EdgeSide& left, const EdgeSide& right) {
     for (const int vertex : {from, to}) {
       for (const EdgeSide& side : {left, right}) {
-        if (side.facet != kOutside)
+        if (side.facet != kOutside.value())
           view_.vertices[Index(vertex)].around.push_back(side.facet);
       }
     }

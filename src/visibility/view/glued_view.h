@@ -36,7 +36,7 @@ struct GluedArc {
   int piece_from = -1;
   int piece_to = -1;
 
-  [[nodiscard]] bool on_horizon() const { return right == kOutside; }
+  [[nodiscard]] bool on_horizon() const { return right == kOutside.value(); }
 };
 
 /// Regions are the connected parts of the hemisphere that show one face, or

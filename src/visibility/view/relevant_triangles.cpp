@@ -59,17 +59,17 @@ class Participation {
 
   [[nodiscard]] bool IsIgnored(int triangle) const {
     const int facet = query_.scene.triangles()[Index(triangle)].facet;
-    return !ignored_.empty() && ignored_[Index(facet)];
+    return !ignored_.empty() && ignored_[FacetId(facet)];
   }
 
   [[nodiscard]] bool IsEdgeOn(int triangle) const {
-    return sides_.OfReceiver(triangle) == Sign::kZero;
+    return sides_.OfReceiver(TriangleId(triangle)) == Sign::kZero;
   }
 
  private:
   const ContourQuery& query_;
   TriangleSides sides_;
-  std::vector<bool> ignored_;
+  IdVector<FacetId, bool> ignored_;
 };
 
 }  // namespace

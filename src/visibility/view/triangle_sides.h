@@ -17,7 +17,7 @@ class TriangleSides {
 
   /// Sign of h = N . (t_0 - r): negative if r is in front of triangle t, zero
   /// exactly if r is in its plane.
-  [[nodiscard]] Sign OfReceiver(int t) const {
+  [[nodiscard]] Sign OfReceiver(TriangleId t) const {
     {
       const RoundUpward rounding;
       if (const auto sign = TrySign(interval_.Height(t))) return *sign;
@@ -27,7 +27,7 @@ class TriangleSides {
 
   /// Sign of N . (v - t_0): positive if vertex v is in front of triangle t,
   /// zero exactly if v is in its plane. Does not depend on r.
-  [[nodiscard]] Sign OfVertex(int t, int v) const {
+  [[nodiscard]] Sign OfVertex(TriangleId t, VertexId v) const {
     {
       const RoundUpward rounding;
       if (const auto sign = TrySign(interval_.AboveTriangle(t, v)))

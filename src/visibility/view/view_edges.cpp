@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exact/recipe_evaluator.h"
+#include "scene/scene_access.h"
 
 namespace truelux {
 namespace {
@@ -16,7 +17,7 @@ std::size_t Index(int i) {
 }
 
 DirectionRecipe VertexRecipe(int v) {
-  return {.kind = DirectionRecipe::Kind::kVertex, .a = v};
+  return DirectionRecipe::ToVertex(VertexId(v));
 }
 
 double Length(const Vec3<double>& v) {
@@ -70,14 +71,13 @@ ViewEdges::ViewEdges(const ContourQuery& query, int facet)
       facet_(facet),
       source_triangle_(query.scene.facets()[Index(facet)].first_triangle) {
   const Facet& source = query.scene.facets()[Index(facet)];
-  for (const Triangle& triangle : view_.triangles.subspan(
-           Index(source.first_triangle), Index(source.triangle_count)))
+  for (const Triangle& triangle : TrianglesOf(query.scene, source))
     source_caps_.push_back(CapOf(triangle));
-  const std::vector<bool> ignored = IgnoredFacets(query);
+  const IdVector<FacetId, bool> ignored = IgnoredFacets(query);
   std::vector<int> relevant;
   for (int t = 0; t < static_cast<int>(view_.triangles.size()); ++t) {
-    const std::size_t f = Index(view_.triangles[Index(t)].facet);
-    if (!ignored.empty() && ignored[f]) continue;
+    const FacetId own = FacetOf(view_.triangles[TriangleId(t)]);
+    if (!ignored.empty() && ignored[own]) continue;
     if (Relevant(t)) relevant.push_back(t);
   }
   AddSceneEdges(relevant);
@@ -90,7 +90,7 @@ ViewEdges::ViewEdges(const ContourQuery& query, int facet)
 ViewEdges::Cap ViewEdges::CapOf(const Triangle& triangle) const {
   std::array<Vec3<double>, 3> units{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Point3& p = view_.vertices[Index(triangle.vertices[k])];
+    const Point3& p = view_.vertices[VertexId(triangle.vertices[k])];
     const Point3& r = view_.position;
     units[k] = UnitOf(Vec3<double>{p.x - r.x, p.y - r.y, p.z - r.z});
   }
@@ -107,14 +107,14 @@ bool ViewEdges::IsBesideSource(const Triangle& triangle) const {
 }
 
 Exact ViewEdges::AbovePlane(int vertex) const {
-  return exact_.AboveTriangle(source_triangle_, vertex);
+  return exact_.AboveTriangle(TriangleId(source_triangle_), VertexId(vertex));
 }
 
 Sign ViewEdges::SideOfPlane(int vertex) const {
   {
     const RoundUpward rounding;
-    const auto sign =
-        TrySign(interval_.AboveTriangle(source_triangle_, vertex));
+    const auto sign = TrySign(interval_.AboveTriangle(
+        TriangleId(source_triangle_), VertexId(vertex)));
     if (sign) return *sign;
   }
   return SignOf(AbovePlane(vertex));
@@ -124,13 +124,15 @@ Sign ViewEdges::SideOfPlane(int vertex) const {
 Sign ViewEdges::SideOfEdge(int a, int b, int vertex) const {
   {
     const RoundUpward rounding;
-    const auto sign = TrySign(Determinant(interval_.FromReceiver(a),
-                                          interval_.FromReceiver(b),
-                                          interval_.FromReceiver(vertex)));
+    const auto sign =
+        TrySign(Determinant(interval_.FromReceiver(VertexId(a)),
+                            interval_.FromReceiver(VertexId(b)),
+                            interval_.FromReceiver(VertexId(vertex))));
     if (sign) return *sign;
   }
-  return SignOf(Determinant(exact_.FromReceiver(a), exact_.FromReceiver(b),
-                            exact_.FromReceiver(vertex)));
+  return SignOf(Determinant(exact_.FromReceiver(VertexId(a)),
+                            exact_.FromReceiver(VertexId(b)),
+                            exact_.FromReceiver(VertexId(vertex))));
 }
 
 int ViewEdges::FaceOf(int facet) const {
@@ -140,7 +142,7 @@ int ViewEdges::FaceOf(int facet) const {
 /// Of the source itself, or a triangle that blocks it somewhere (its plane
 /// not through r, some part strictly in front, or coplanar and earlier).
 bool ViewEdges::Relevant(int triangle) const {
-  const Triangle& t = view_.triangles[Index(triangle)];
+  const Triangle& t = view_.triangles[TriangleId(triangle)];
   if (t.facet == facet_) return true;
   if (IsBesideSource(t)) return false;
   bool any_front = false;
@@ -153,7 +155,7 @@ bool ViewEdges::Relevant(int triangle) const {
   const auto facets = query_.scene.facets();
   const bool earlier = facets[Index(t.facet)].face < facets[Index(facet_)].face;
   if (!any_front && !(all_on && earlier)) return false;
-  return SignOf(exact_.Height(triangle)) != Sign::kZero;
+  return SignOf(exact_.Height(TriangleId(triangle))) != Sign::kZero;
 }
 
 void ViewEdges::AddSceneEdges(const std::vector<int>& relevant) {
@@ -165,7 +167,7 @@ void ViewEdges::AddSceneEdges(const std::vector<int>& relevant) {
 
   std::map<std::pair<int, int>, std::vector<Neighbour>> neighbours;
   for (const int t : relevant) {
-    const Triangle& triangle = view_.triangles[Index(t)];
+    const Triangle& triangle = view_.triangles[TriangleId(t)];
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [a, b] =
           std::minmax(triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
@@ -193,7 +195,7 @@ void ViewEdges::AddSceneEdges(const std::vector<int>& relevant) {
 
 /// The line where a blocker meets the source's plane, if it crosses it.
 void ViewEdges::AddCut(int triangle) {
-  const Triangle& t = view_.triangles[Index(triangle)];
+  const Triangle& t = view_.triangles[TriangleId(triangle)];
   if (t.facet == facet_) return;
   std::array<Sign, 3> side{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -208,10 +210,9 @@ void ViewEdges::AddCut(int triangle) {
     if (side[k] * side[next] == Sign::kNegative) {
       const bool a_in_front = side[k] == Sign::kPositive;
       ends.emplace_back(
-          DirectionRecipe{.kind = DirectionRecipe::Kind::kEdgeAtPlane,
-                          .a = a_in_front ? a : b,
-                          .b = a_in_front ? b : a,
-                          .c = source_triangle_},
+          DirectionRecipe::EdgeAtPlane(VertexId(a_in_front ? a : b),
+                                       VertexId(a_in_front ? b : a),
+                                       TriangleId(source_triangle_)),
           -1);
     }
   }
@@ -238,16 +239,16 @@ void ViewEdges::AddEdge(const DirectionRecipe& from, const DirectionRecipe& to,
   const Vec3<double> to_unit = UnitOf(v);
   edges_.push_back({plane, from, to, a, b, seen, from_unit, to_unit,
                     AngleBetween(from_unit, to_unit),
-                    from.kind == DirectionRecipe::Kind::kVertex &&
-                        to.kind == DirectionRecipe::Kind::kVertex});
+                    from.kind() == DirectionRecipe::Kind::kVertex &&
+                        to.kind() == DirectionRecipe::Kind::kVertex});
 }
 
 /// Whether the point weight_a a + weight_b b of a scene edge is in front of
 /// the source's plane or on it; a cut is on it.
 bool ViewEdges::InFront(const Edge& edge, const Exact& weight_a,
                         const Exact& weight_b) const {
-  if (edge.from.kind != DirectionRecipe::Kind::kVertex ||
-      edge.to.kind != DirectionRecipe::Kind::kVertex) {
+  if (edge.from.kind() != DirectionRecipe::Kind::kVertex ||
+      edge.to.kind() != DirectionRecipe::Kind::kVertex) {
     return true;
   }
   return SignOf(weight_a * AbovePlane(edge.a) +

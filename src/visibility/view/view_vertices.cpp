@@ -50,7 +50,7 @@ ViewVertices::ViewVertices(const ContourQuery& query,
                            const EdgeIndex& edges)
     : query_(query), views_(views), edges_(edges), exact_(ViewOf(query)) {
   for (int v = 0; v < static_cast<int>(query.scene.vertices().size()); ++v) {
-    const Vec3<Exact> d = exact_.FromReceiver(v);
+    const Vec3<Exact> d = exact_.FromReceiver(VertexId(v));
     if (SignOf(Dot(exact_.ReceiverNormal(), d)) != Sign::kNegative)
       scene_vertices_.insert(MakePrimitive(d));
   }

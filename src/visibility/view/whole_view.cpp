@@ -72,8 +72,8 @@ class ViewAssembly {
   Vec3<Exact> PlaneOf(const WholeViewArc& arc) const {
     if (arc.kind == ViewArcKind::kHorizon) return exact_.ReceiverNormal();
     if (arc.edge.a >= 0) {
-      return Cross(exact_.FromReceiver(arc.edge.a),
-                   exact_.FromReceiver(arc.edge.b));
+      return Cross(exact_.FromReceiver(VertexId(arc.edge.a)),
+                   exact_.FromReceiver(VertexId(arc.edge.b)));
     }
     return meeting_plane_;
   }
@@ -175,7 +175,7 @@ class ViewAssembly {
 WholeView WholeViewOf(const ContourQuery& query,
                       const std::function<void(int)>& on_step) {
   constexpr int kCharts = kWholeViewSteps - 1;
-  const std::vector<FacetView> views = FacetViewsOf(query);
+  const IdVector<FacetId, FacetView> views = FacetViewsOf(query);
   std::vector<ChartView> charts;
   for (int chart = 0; chart < kCharts; ++chart) {
     if (on_step) on_step(chart);

@@ -12,7 +12,7 @@ MpfrStage::MpfrStage(ExactSum sum, Emission emission)
 }
 
 MpfrStage::Sum MpfrStage::SumOfTerms(const WeightedTerms& group,
-                                     const std::vector<RoundedPlane>& planes,
+                                     const RoundedPlanes& planes,
                                      mpfr_prec_t precision) {
   Sum sum{Multiprecision(precision), Multiprecision(precision)};
   for (const ExactTerm& term : group.terms) {
@@ -45,7 +45,7 @@ void MpfrStage::ToIrradiance(mpfr_prec_t precision, Multiprecision& x,
 }
 
 std::array<Enclosure, 3> MpfrStage::Evaluate(mpfr_prec_t precision) const {
-  std::vector<RoundedPlane> planes;
+  RoundedPlanes planes;
   planes.reserve(sum_.planes.size());
   for (const ExactPlane& plane : sum_.planes) {
     RoundedPlane rounded{Multiprecision(precision, plane.normal_square),

@@ -53,8 +53,10 @@ class MpfrStage {
     Multiprecision cosine;
   };
 
+  using RoundedPlanes = IdVector<ExactPlaneId, RoundedPlane>;
+
   [[nodiscard]] static Sum SumOfTerms(const WeightedTerms& group,
-                                      const std::vector<RoundedPlane>& planes,
+                                      const RoundedPlanes& planes,
                                       mpfr_prec_t precision);
   void ToIrradiance(mpfr_prec_t precision, Multiprecision& x,
                     mpfr_rnd_t rounding) const;

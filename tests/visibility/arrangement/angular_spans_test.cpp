@@ -31,7 +31,7 @@ constexpr Point3 kHub{2, 1, 16};
 
 AngularSpans SpansOf(const std::vector<TestFace>& faces,
                      const Receiver& receiver = kUp) {
-  return AngularSpansOf({MakeScene(faces), receiver, 0});
+  return AngularSpansOf({MakeScene(faces), receiver});
 }
 
 Vec3<Exact> Direction(const Point3& p) {
@@ -58,7 +58,7 @@ std::vector<SpanVertex> VerticesAt(const AngularSpans& spans, const Point3& p) {
 std::vector<int> Labels(const SpanVertex& vertex, int first) {
   std::vector<int> labels;
   for (const AngularSpan& span : vertex.spans)
-    labels.push_back(span.facet);
+    labels.push_back(span.facet.value());
   std::rotate(labels.begin(), std::ranges::find(labels, first), labels.end());
   return labels;
 }
@@ -95,7 +95,7 @@ void ExpectOneFullCircle(const SpanVertex& vertex) {
   for (const double turn : Turns(vertex))
     sum += turn;
   EXPECT_NEAR(sum, 2 * std::numbers::pi, 1e-9);
-  int previous = vertex.spans.back().facet;
+  FacetId previous = vertex.spans.back().facet;
   for (const AngularSpan& span : vertex.spans) {
     EXPECT_NE(span.facet, previous);
     previous = span.facet;
@@ -134,9 +134,9 @@ TEST(AngularSpans, OfAnIntrinsicVertexBeforeABackground) {
   ExpectOneFullCircle(vertices[0]);
   for (std::size_t i = 0; i < 2; ++i) {
     const AngularSpan& span = vertices[0].spans[i];
-    EXPECT_EQ(span.is_source, span.facet == 0);
+    EXPECT_EQ(span.is_source, span.facet == FacetId(0));
     const bool narrow = Turns(vertices[0])[i] < 2;
-    EXPECT_EQ(narrow, span.facet == 1);
+    EXPECT_EQ(narrow, span.facet == FacetId(1));
   }
 }
 
@@ -153,8 +153,8 @@ TEST(AngularSpans, OfAnApparentVertex) {
   ExpectOneFullCircle(vertices[0]);
   for (std::size_t i = 0; i < 3; ++i) {
     const AngularSpan& span = vertices[0].spans[i];
-    EXPECT_EQ(span.is_source, span.facet != 1);
-    if (span.facet == 2) {
+    EXPECT_EQ(span.is_source, span.facet != FacetId(1));
+    if (span.facet == FacetId(2)) {
       EXPECT_NEAR(Turns(vertices[0])[i], std::numbers::pi, 1e-14);
     }
   }
@@ -173,7 +173,8 @@ TEST(AngularSpans, OfAConjunctionOfThreeEdgesAndOneVertex) {
   EXPECT_EQ(Labels(vertices[0], 0), (std::vector<int>{0, 4, 1, 3, 2}));
   ExpectOneFullCircle(vertices[0]);
   for (const AngularSpan& span : vertices[0].spans) {
-    EXPECT_EQ(span.is_source, span.facet == 0 || span.facet == 3);
+    EXPECT_EQ(span.is_source,
+              span.facet == FacetId(0) || span.facet == FacetId(3));
   }
   // The order of the faces in the file only names them.
   std::ranges::reverse(faces);
@@ -202,7 +203,7 @@ TEST(AngularSpans, OfACutBetweenChartsAreInTwoHalves) {
     EXPECT_EQ(Labels(half, 0), (std::vector<int>{0, -1}));
     ExpectOneFullCircle(half);
     for (std::size_t i = 0; i < 2; ++i) {
-      if (half.spans[i].facet == 0) seen += Turns(half)[i];
+      if (half.spans[i].facet == FacetId(0)) seen += Turns(half)[i];
     }
   }
   EXPECT_NEAR(seen, std::numbers::pi, 1e-14);
@@ -220,7 +221,8 @@ TEST(AngularSpans, OfTheHorizonKnowTheOtherEndOfTheirEdges) {
   EXPECT_EQ(Labels(vertices[0], 0), (std::vector<int>{0, -1}));
   ExpectOneFullCircle(vertices[0]);
   for (const AngularSpan& span : vertices[0].spans) {
-    const Point3 end = span.facet == 0 ? Point3{4, 3, 0} : Point3{4, 1, 2};
+    const Point3 end =
+        span.facet == FacetId(0) ? Point3{4, 3, 0} : Point3{4, 1, 2};
     EXPECT_TRUE(SameDirection(span.edge_end, Direction(end)));
   }
 }

@@ -29,7 +29,7 @@ struct TestFace {
 
 ContourQuery Query(const std::vector<TestFace>& faces,
                    const Receiver& receiver = {{0, 0, 0}, {0, 0, 1}, 0},
-                   int only_source = 0) {
+                   FaceNumber only_source = {}) {
   SceneBuilder builder;
   for (const TestFace& face : faces)
     builder.AddFace(face.ring, face.emission);
@@ -64,16 +64,15 @@ Real Length(const Vec3<Exact>& v) {
 /// the arc's angle times the cosine between n and the inward normal.
 double FormFactorOf(const ContourQuery& query, const Contour& contour) {
   const RecipeEvaluator<Exact> exact(ViewOf(query));
-  const auto direction = [&](int i) {
-    return exact.Direction(contour.directions[static_cast<std::size_t>(i)],
-                           contour.planes, contour.explicit_vectors.All());
+  const auto direction = [&](DirectionId id) {
+    return exact.Direction(contour.directions[id], contour.planes,
+                           contour.explicit_vectors.All());
   };
   const Vec3<Exact> n = exact.ReceiverNormal();
   Real sum;
   for (const Arc& arc : contour.arcs) {
     Vec3<Exact> inward =
-        exact.Plane(contour.planes[static_cast<std::size_t>(arc.plane)],
-                    contour.explicit_vectors.All());
+        exact.Plane(contour.planes[arc.plane], contour.explicit_vectors.All());
     if (!arc.positive) inward = -inward;
     const Vec3<Exact> from = direction(arc.from);
     const Vec3<Exact> to = direction(arc.to);
@@ -100,12 +99,12 @@ double CornerFormFactor(double a, double b) {
 }
 
 /// Distinct planes of the arcs on the edges of a face; 0: walls of the charts.
-int PlanesOn(const Contour& contour, int edge_face) {
+int PlanesOn(const Contour& contour, FaceNumber edge_face) {
   std::vector<Vec3<Exact>> planes;
   for (const Arc& arc : contour.arcs) {
     if (arc.edge_face != edge_face) continue;
-    const int entry = contour.planes[static_cast<std::size_t>(arc.plane)].a;
-    const auto& plane = contour.explicit_vectors[entry];
+    const auto& plane =
+        contour.explicit_vectors[contour.planes[arc.plane].explicit_vector()];
     bool is_new = true;
     for (const Vec3<Exact>& other : planes) {
       const Vec3<Exact> cross = Cross(plane, other);
@@ -120,8 +119,9 @@ int PlanesOn(const Contour& contour, int edge_face) {
 TEST(ArrangementEngine, ALoneSquareIsBoundedByItsFourEdges) {
   const ContourQuery query = Query({{Ceiling(-2, 3, -1, 4, 1), kLamp}});
   const Contour contour = ContourByArrangement(query);
-  EXPECT_EQ(PlanesOn(contour, 1), 4);
-  EXPECT_EQ(PlanesOn(contour, 0), 2);  // the cuts between the charts
+  EXPECT_EQ(PlanesOn(contour, FaceNumber(1)), 4);
+  EXPECT_EQ(PlanesOn(contour, FaceNumber(0)),
+            2);  // the cuts between the charts
   ASSERT_EQ(contour.sources.size(), 1U);
   EXPECT_EQ(contour.statistics.sources, 1U);
   EXPECT_EQ(contour.statistics.arcs, contour.arcs.size());
@@ -181,8 +181,8 @@ TEST(ArrangementEngine, VisibleAndHiddenAddUp) {
   const ContourQuery query = Query({{source, kLamp}, {blocker, kBlack}});
   const Contour contour = ContourByArrangement(query);
   EXPECT_NEAR(FormFactorOf(query, contour), whole - hidden, 1e-15);
-  EXPECT_EQ(PlanesOn(contour, 1), 4);
-  EXPECT_EQ(PlanesOn(contour, 2), 4);
+  EXPECT_EQ(PlanesOn(contour, FaceNumber(1)), 4);
+  EXPECT_EQ(PlanesOn(contour, FaceNumber(2)), 4);
 }
 
 TEST(ArrangementEngine, OnlyThePartInFrontOfTheSourceHides) {
@@ -196,7 +196,7 @@ TEST(ArrangementEngine, OnlyThePartInFrontOfTheSourceHides) {
   EXPECT_NEAR(FormFactorOf(query, contour), expected, 1e-15);
   EXPECT_LT(expected, FormFactorOf({{source, kLamp}}) - 1e-3);
   // Three edges of the blocker and the line where it enters.
-  EXPECT_EQ(PlanesOn(contour, 2), 4);
+  EXPECT_EQ(PlanesOn(contour, FaceNumber(2)), 4);
 }
 
 TEST(ArrangementEngine, StripsMayHideEachOtherInACycle) {
@@ -214,7 +214,7 @@ TEST(ArrangementEngine, StripsMayHideEachOtherInACycle) {
   ASSERT_EQ(contour.sources.size(), 4U);
   std::vector<double> visible;
   for (int only = 1; only <= 4; ++only) {
-    const ContourQuery query = Query(faces, all.receiver, only);
+    const ContourQuery query = Query(faces, all.receiver, FaceNumber(only));
     visible.push_back(FormFactorOf(query));
     const Ring& ring = strips[static_cast<std::size_t>(only) - 1];
     EXPECT_LT(visible.back(), FormFactorOf({{ring, kLamp}}) - 1e-3);
@@ -310,10 +310,11 @@ TEST(ArrangementEngine, OnlySourceMakesABlackFaceTheSource) {
   const Ring lamp = Ceiling(-1, 1, -1, 1, 1);
   const Ring shelf = Ceiling(-0.1, 0.1, -0.1, 0.1, 0.5);
   const std::vector<TestFace> faces = {{lamp, kLamp}, {shelf, kBlack}};
-  const ContourQuery query = Query(faces, {{0, 0, 0}, {0, 0, 1}, 0}, 2);
+  const ContourQuery query =
+      Query(faces, {{0, 0, 0}, {0, 0, 1}, 0}, FaceNumber(2));
   const Contour contour = ContourByArrangement(query);
   ASSERT_EQ(contour.sources.size(), 1U);
-  EXPECT_EQ(contour.sources[0].facet, 1);
+  EXPECT_EQ(contour.sources[SourceId(0)].facet, FacetId(1));
   EXPECT_NEAR(FormFactorOf(query, contour), FormFactorOf({{shelf, kLamp}}),
               1e-15);
 }
@@ -343,8 +344,8 @@ TEST(ArrangementEngine, AConcaveSourceHasNoDiagonals) {
   const Contour contour = ContourByArrangement(query);
   EXPECT_NEAR(FormFactorOf(query, contour), 3 * CornerFormFactor(1, 1), 1e-15);
   // The two inner edges lie in the cuts; four planes and no other remain.
-  EXPECT_EQ(PlanesOn(contour, 1), 4);
-  EXPECT_EQ(PlanesOn(contour, 0), 2);
+  EXPECT_EQ(PlanesOn(contour, FaceNumber(1)), 4);
+  EXPECT_EQ(PlanesOn(contour, FaceNumber(0)), 2);
 }
 
 TEST(ArrangementEngine, ThreadsDoNotDisturbEachOther) {

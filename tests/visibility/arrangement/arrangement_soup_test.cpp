@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/recipe_evaluator.h"
+#include "scene/scene_access.h"
 #include "support/portable_random.h"
 #include "visibility/arrangement/arrangement_engine.h"
 
@@ -59,7 +60,7 @@ ContourQuery RandomQuery(PortableRandom& random) {
        static_cast<double>(random.Integer(-2, 2)),
        random.OneIn(2) ? 1.0 : -0.7},
       0};
-  return {*builder.Build().value, receiver, 0};
+  return {*builder.Build().value, receiver};
 }
 
 /// A direction towards a random point of a random triangle.
@@ -69,7 +70,7 @@ Vec3<Exact> RandomDirection(PortableRandom& random, const ContourQuery& query) {
   const Triangle& triangle = triangles[static_cast<std::size_t>(
       random.Integer(0, static_cast<int>(triangles.size()) - 1))];
   Vec3<Exact> direction{0, 0, 0};
-  for (const int v : triangle.vertices) {
+  for (const VertexId v : CornersOf(triangle)) {
     direction =
         direction - Exact(-random.Integer(1, 99)) * exact.FromReceiver(v);
   }
@@ -97,19 +98,18 @@ std::optional<int> FacetAlong(const ContourQuery& query, const Vec3<Exact>& d) {
   int front = -1;
   Exact front_height;
   Exact front_slope;
-  for (std::size_t t = 0; t < query.scene.triangles().size(); ++t) {
-    const Triangle& triangle = query.scene.triangles()[t];
-    Exact height = exact.Height(static_cast<int>(t));
+  for (const TriangleId t : TrianglesOf(query.scene).ids()) {
+    const Triangle& triangle = TrianglesOf(query.scene)[t];
+    Exact height = exact.Height(t);
     if (height.is_zero()) continue;
-    std::array<Vec3<Exact>, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = exact.FromReceiver(triangle.vertices[k]);
-    }
-    const Hit hit = HitOf(corners, d);
+    const auto [a, b, c] = CornersOf(triangle);
+    const Hit hit = HitOf(
+        {exact.FromReceiver(a), exact.FromReceiver(b), exact.FromReceiver(c)},
+        d);
     if (hit == Hit::kMiss) continue;
     if (hit == Hit::kBoundary) return std::nullopt;
     // The distance is height / slope; both are made positive.
-    Exact slope = Dot(exact.TriangleNormal(static_cast<int>(t)), d);
+    Exact slope = Dot(exact.TriangleNormal(t), d);
     if (SignOf(height) == Sign::kNegative) {
       height = -height;
       slope = -slope;
@@ -134,17 +134,14 @@ struct ExactArc {
 std::vector<ExactArc> ArcsOf(const ContourQuery& query, const Contour& contour,
                              const SourceArcs& source) {
   const Evaluator exact(ViewOf(query));
-  const auto direction = [&](int i) {
-    return exact.Direction(contour.directions[static_cast<std::size_t>(i)],
-                           contour.planes, contour.explicit_vectors.All());
+  const auto direction = [&](DirectionId id) {
+    return exact.Direction(contour.directions[id], contour.planes,
+                           contour.explicit_vectors.All());
   };
   std::vector<ExactArc> arcs;
-  for (int i = 0; i < source.arc_count; ++i) {
-    const Arc& arc =
-        contour.arcs[static_cast<std::size_t>(source.first_arc + i)];
+  for (const Arc& arc : contour.ArcsOf(source)) {
     const Vec3<Exact> normal =
-        exact.Plane(contour.planes[static_cast<std::size_t>(arc.plane)],
-                    contour.explicit_vectors.All());
+        exact.Plane(contour.planes[arc.plane], contour.explicit_vectors.All());
     arcs.push_back({arc.positive ? normal : -normal, direction(arc.from),
                     direction(arc.to)});
   }
@@ -185,7 +182,7 @@ bool IsSource(const ContourQuery& query, int facet) {
   const Rgb& m = query.scene.faces()[static_cast<std::size_t>(f.face)].emission;
   const Evaluator exact(ViewOf(query));
   return m != Rgb{} &&
-         SignOf(exact.Height(f.first_triangle)) == Sign::kNegative;
+         SignOf(exact.Height(FirstTriangleOf(f))) == Sign::kNegative;
 }
 
 TEST(ArrangementSoup, ArcsRunInTheirPlanesWithTheVisibleSideLeft) {
@@ -246,10 +243,8 @@ TEST(ArrangementSoup, ADirectionIsInAContourIfARayMeetsThatSourceFirst) {
     // Along the horizon; the middle of a chart, not one of its cuts.
     const Vec3<Exact> horizon{n.z, n.z, -Exact(n.x) - Exact(n.y)};
     std::vector<std::vector<ExactArc>> arcs(query.scene.facets().size());
-    for (const SourceArcs& source : contour.sources) {
-      arcs[static_cast<std::size_t>(source.facet)] =
-          ArcsOf(query, contour, source);
-    }
+    for (const SourceArcs& source : contour.sources)
+      arcs[source.facet.index()] = ArcsOf(query, contour, source);
     for (int k = 0; k < 40; ++k) {
       const Vec3<Exact> d = RandomDirection(random, query);
       if (SignOf(Dot(normal, d)) != Sign::kPositive) continue;

@@ -47,7 +47,7 @@ struct Counts {
 /// The arcs with and without joining; the values must be the same.
 Counts Compare(const Scene& scene, const Receiver& receiver) {
   const ContourEngine engine(scene);
-  ContourQuery query{scene, receiver, 0, false};
+  ContourQuery query{scene, receiver, {}, false};
   const Contour whole = engine.Build(query);
   query.join_sources = true;
   const Contour joined = engine.Build(query);

@@ -31,7 +31,7 @@ const Ring kLShape{{-2, -2, 3}, {-2, 2, 3}, {0, 2, 3},
 /// Returns E, red.
 double Compare(const std::vector<TestFace>& faces, const Receiver& receiver) {
   const Scene scene = MakeScene(faces);
-  const ContourQuery query{scene, receiver, 0};
+  const ContourQuery query{scene, receiver};
   const Rgb expected = EvaluateContour(query, PlainContour(query), {}).value;
   EXPECT_EQ(Oracle(scene).Evaluate(receiver).value, expected);
   return expected[0];

@@ -64,7 +64,7 @@ TEST_P(Pruning, ChangesNoBit) {
       if (random.OneIn(6)) {
         r.on_face = random.Integer(1, static_cast<int>(scene.faces().size()));
       }
-      const ContourQuery query{scene, r, 0};
+      const ContourQuery query{scene, r};
       const Contour plain = PlainContour(query);
       const Irradiance expected = EvaluateContour(query, plain, {});
       const Irradiance actual = oracle.Evaluate(r);

@@ -49,7 +49,7 @@ void ForEachView(
                             {row[3], row[4], row[5]},
                             row.size() > 6 ? static_cast<int>(row[6]) : 0};
     SCOPED_TRACE(name + ", receiver " + std::to_string(i));
-    const ContourQuery query{scene, receiver, 0};
+    const ContourQuery query{scene, receiver};
     look(query, WholeViewOf(query));
   }
 }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/recipe_evaluator.h"
+#include "scene/scene_access.h"
 #include "support/random_scene.h"
 #include "support/view_sums.h"
 #include "visibility/view/whole_view.h"
@@ -25,22 +26,22 @@ std::optional<int> FaceAlong(const ContourQuery& query, const Vec3<Exact>& d) {
   int front = 0;
   Exact front_height;
   Exact front_slope;
-  const auto triangles = query.scene.triangles();
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    Exact height = exact.Height(static_cast<int>(t));
+  const auto triangles = TrianglesOf(query.scene);
+  for (const TriangleId t : triangles.ids()) {
+    Exact height = exact.Height(t);
     if (height.is_zero()) continue;
     bool inside = true;
+    const auto corners = CornersOf(triangles[t]);
     for (std::size_t k = 0; k < 3; ++k) {
       const Sign side =
-          SignOf(Determinant(
-              exact.FromReceiver(triangles[t].vertices[k]),
-              exact.FromReceiver(triangles[t].vertices[(k + 1) % 3]), d)) *
+          SignOf(Determinant(exact.FromReceiver(corners[k]),
+                             exact.FromReceiver(corners[(k + 1) % 3]), d)) *
           SignOf(height);
       if (side == Sign::kZero) return std::nullopt;
       inside = inside && side == Sign::kPositive;
     }
     if (!inside) continue;
-    Exact slope = Dot(exact.TriangleNormal(static_cast<int>(t)), d);
+    Exact slope = Dot(exact.TriangleNormal(t), d);
     if (SignOf(height) == Sign::kNegative) {
       height = -height;
       slope = -slope;
@@ -48,8 +49,7 @@ std::optional<int> FaceAlong(const ContourQuery& query, const Vec3<Exact>& d) {
     // Triangles come in file order: of equals the first stays.
     if (front == 0 || SignOf(slope * front_height - front_slope * height) ==
                           Sign::kPositive) {
-      const std::size_t facet = static_cast<std::size_t>(triangles[t].facet);
-      front = query.scene.facets()[facet].face + 1;
+      front = NumberOf(FaceOf(query.scene, FacetOf(triangles[t]))).value();
       front_height = height;
       front_slope = slope;
     }
@@ -103,7 +103,7 @@ TEST(WholeViewRays, EveryDirectionIsInTheRegionOfTheFaceThatARayMeets) {
     const bool lattice = i % 2 == 0;
     const ContourQuery query{
         MakeScene(RandomScene(random, lattice, random.Integer(1, 10))),
-        RandomReceiver(random, lattice), 0};
+        RandomReceiver(random, lattice)};
     const WholeView view = WholeViewOf(query);
     const Vector3& n = query.receiver.normal;
     for (int k = 0; k < 40; ++k) {

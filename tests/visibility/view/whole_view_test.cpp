@@ -29,7 +29,7 @@ constexpr double kPi = std::numbers::pi;
 WholeView Look(const std::vector<TestFace>& faces,
                const Vector3& normal = {0, 0, 1}, const Point3& at = {0, 0, 0},
                int on_face = 0) {
-  return WholeViewOf({MakeScene(faces), {at, normal, on_face}, 0});
+  return WholeViewOf({MakeScene(faces), {at, normal, on_face}});
 }
 
 std::multiset<int> FacesSeen(const WholeView& view) {
@@ -264,8 +264,8 @@ TEST(WholeView, DoesNotDependOnTheOrderOfFacesAndCorners) {
       names.push_back(k);
       other_names.insert(other_names.begin(), k);
     }
-    const WholeView a = WholeViewOf({MakeScene(faces), receiver, 0});
-    const WholeView b = WholeViewOf({MakeScene(other), receiver, 0});
+    const WholeView a = WholeViewOf({MakeScene(faces), receiver});
+    const WholeView b = WholeViewOf({MakeScene(other), receiver});
     EXPECT_EQ(ArcsOf(a, names), ArcsOf(b, other_names));
     EXPECT_EQ(VerticesOf(a), VerticesOf(b));
     EXPECT_EQ(a.regions.size(), b.regions.size());
@@ -310,8 +310,7 @@ std::pair<int, int> MostEdges(const std::string& name) {
   const auto& row = rows.front();
   const WholeView view =
       WholeViewOf({ReadScene(CaseFolder(name) / "scene.obj").value.value(),
-                   {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, 0},
-                   0});
+                   {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, 0}});
   std::pair<int, int> most;
   for (const WholeViewVertex& v : view.vertices) {
     most.first = std::max(most.first, v.vertex.planes);

@@ -197,8 +197,10 @@ class MapBuilder {
       open.emplace_back(next, std::move(next_cover));
     };
     while (!open.empty()) {
-      const auto [face, cover] = std::move(open.back());
+      const auto [face, face_cover] = std::move(open.back());
       open.pop_back();
+      // A name of its own: clang 14 cannot capture a structured binding.
+      const TriangleIds& cover = face_cover;
       const auto walk = [&](Arrangement::Ccb_halfedge_const_circulator first) {
         auto edge = first;
         do {

@@ -26,7 +26,7 @@ struct TwinValues {
 /// both cost no more than one.
 inline TwinValues TwinValuesOf(const Scene& scene, const Receiver& receiver) {
   const ContourQuery query{scene, receiver, 0};
-  const std::vector<FacetView> facets = FacetViewsOf(query);
+  const IdVector<FacetId, FacetView> facets = FacetViewsOf(query);
   const std::vector<ChartView> charts = ChartViewsOf(query, facets);
   return {
       EvaluateContour(query, ContourByArrangement(query, facets, charts), {})

@@ -56,7 +56,7 @@ AngularSpans AngularSpansOf(const ContourQuery& query);
 
 /// The same from a map that is there already: facets are FacetViewsOf the
 /// query, charts are ChartViewsOf it.
-AngularSpans AngularSpansOf(std::span<const FacetView> facets,
+AngularSpans AngularSpansOf(IdSpan<FacetId, const FacetView> facets,
                             std::span<const ChartView> charts);
 
 }  // namespace truelux

@@ -26,7 +26,7 @@ bool IsZero(const Vec3<Exact>& v) {
 }  // namespace
 
 EdgesThrough::EdgesThrough(const ContourQuery& query,
-                           std::span<const FacetView> views)
+                           IdSpan<FacetId, const FacetView> views)
     : query_(query), views_(views), exact_(ViewOf(query)) {
   const auto triangles = query.scene.triangles();
   for (int t = 0; t < static_cast<int>(triangles.size()); ++t)

@@ -23,7 +23,8 @@ class EdgesThrough {
  public:
   /// The arguments and the query's scene must outlive the object. views:
   /// FacetViewsOf the query.
-  EdgesThrough(const ContourQuery& query, std::span<const FacetView> views);
+  EdgesThrough(const ContourQuery& query,
+               IdSpan<FacetId, const FacetView> views);
 
   /// Finds what passes through direction d (not zero); the other functions
   /// then speak of it.
@@ -98,7 +99,7 @@ class EdgesThrough {
   [[nodiscard]] bool IsVertex(int vertex) const;
 
   const ContourQuery& query_;
-  std::span<const FacetView> views_;
+  IdSpan<FacetId, const FacetView> views_;
   RecipeEvaluator<Exact> exact_;
   std::vector<Edge> edges_;
   std::map<std::pair<int, int>, int> edge_index_;

@@ -46,7 +46,7 @@ ArcsAround ArcsAroundVertices(const GluedView& view) {
 }
 
 ViewVertices::ViewVertices(const ContourQuery& query,
-                           std::span<const FacetView> views,
+                           IdSpan<FacetId, const FacetView> views,
                            const EdgeIndex& edges)
     : query_(query), views_(views), edges_(edges), exact_(ViewOf(query)) {
   for (int v = 0; v < static_cast<int>(query.scene.vertices().size()); ++v) {

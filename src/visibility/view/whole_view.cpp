@@ -24,8 +24,9 @@ std::size_t Index(int i) {
 /// Puts the public view together.
 class ViewAssembly {
  public:
-  ViewAssembly(const ContourQuery& query, std::span<const FacetView> views,
-               const GluedView& glued, const EdgeIndex& edges)
+  ViewAssembly(const ContourQuery& query,
+               IdSpan<FacetId, const FacetView> views, const GluedView& glued,
+               const EdgeIndex& edges)
       : query_(query),
         views_(views),
         glued_(glued),
@@ -161,7 +162,7 @@ class ViewAssembly {
   }
 
   const ContourQuery& query_;
-  std::span<const FacetView> views_;
+  IdSpan<FacetId, const FacetView> views_;
   const GluedView& glued_;
   const EdgeIndex& edges_;
   RecipeEvaluator<Exact> exact_;

@@ -31,7 +31,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"radiometry", {"base", "exact", "scene", "visibility"}},
     {"text", {"base", "scene"}},
     {"run", {"base", "text"}},
-    {"explain", {"base", "exact", "scene", "visibility", "text"}},
+    {"explain", {"base", "scene", "visibility", "text"}},
     {"draw", {"base"}},
     {"baselines", {"base", "exact", "scene", "visibility", "radiometry"}},
     {"inspect", {"base", "scene", "visibility", "text", "explain", "draw"}},

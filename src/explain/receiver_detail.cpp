@@ -5,6 +5,7 @@
 
 #include "explain/edge_text.h"
 #include "text/number_text.h"
+#include "visibility/on_horizon.h"
 
 namespace truelux {
 namespace {

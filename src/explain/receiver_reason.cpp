@@ -10,46 +10,50 @@
 #include <span>
 #include <vector>
 
-#include "exact/number.h"
-#include "exact/sign.h"
-#include "exact/vec3.h"
 #include "text/number_text.h"
+#include "visibility/on_horizon.h"
 
 namespace truelux {
 namespace {
 
-using Vec = Vec3<double>;
-
-Vec ToVec(const Vector3& v) {
-  return {v.x, v.y, v.z};
+double Dot(const Vector3& a, const Vector3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-double Length(const Vec& v) {
+Vector3 Cross(const Vector3& a, const Vector3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+Vector3 Times(double s, const Vector3& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+
+double Length(const Vector3& v) {
   return std::hypot(v.x, v.y, v.z);
 }
 
 /// Of length 1; first divided by the largest component, for normals of any
 /// length.
-Vec Unit(const Vec& v) {
+Vector3 Unit(const Vector3& v) {
   const double largest =
       std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (largest == 0) return v;
-  const Vec scaled{v.x / largest, v.y / largest, v.z / largest};
-  return 1 / Length(scaled) * scaled;
+  const Vector3 scaled{v.x / largest, v.y / largest, v.z / largest};
+  return Times(1 / Length(scaled), scaled);
 }
 
-Vec Sum(const Vec& a, const Vec& b) {
+Vector3 Sum(const Vector3& a, const Vector3& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
 /// The angle between two directions.
-double Angle(const Vec& a, const Vec& b) {
+double Angle(const Vector3& a, const Vector3& b) {
   return std::atan2(Length(Cross(a, b)), Dot(a, b));
 }
 
 /// What is visible of one source.
 struct Part {
-  Vec vector_irradiance{0, 0, 0};
+  Vector3 vector_irradiance{0, 0, 0};
   double perimeter = 0;
   std::set<int> vertices;  ///< indices into VisibleContour::vertices
 };
@@ -77,9 +81,9 @@ class Reader {
       : scene_(scene),
         receiver_(receiver),
         contour_(contour),
-        normal_(Unit(ToVec(receiver.normal))) {
+        normal_(Unit(receiver.normal)) {
     for (const ContourVertex& vertex : contour.vertices)
-      directions_.push_back(Unit(ToVec(vertex.direction)));
+      directions_.push_back(Unit(vertex.direction));
   }
 
   ReceiverTraits Read() {
@@ -103,13 +107,13 @@ class Reader {
   }
 
  private:
-  [[nodiscard]] const Vec& Direction(int vertex) const {
+  [[nodiscard]] const Vector3& Direction(int vertex) const {
     return directions_[static_cast<std::size_t>(vertex)];
   }
 
   void ReadArc(const ContourArc& arc) {
     const double angle = Angle(Direction(arc.from), Direction(arc.to));
-    const Vec term = angle / 2 * Unit(ToVec(arc.plane_normal));
+    const Vector3 term = Times(angle / 2, Unit(arc.plane_normal));
     term_sum_ += Dot(normal_, term);
     term_sizes_ += std::abs(Dot(normal_, term));
     Part& part = parts_[arc.source];
@@ -156,7 +160,7 @@ class Reader {
   /// exact, while directions are rounded.
   [[nodiscard]] double Height(std::size_t index) const {
     const int vertex = contour_.vertices[index].vertex;
-    Vec direction = directions_[index];
+    Vector3 direction = directions_[index];
     if (vertex >= 0) {
       const Point3& v = scene_.vertices()[static_cast<std::size_t>(vertex)];
       const Point3& r = receiver_.position;
@@ -175,7 +179,7 @@ class Reader {
       largest = size;
       main = &part;
     }
-    Vec mean{0, 0, 0};
+    Vector3 mean{0, 0, 0};
     for (const int vertex : main->vertices)
       mean = Sum(mean, Direction(vertex));
     for (const int vertex : main->vertices)
@@ -187,10 +191,10 @@ class Reader {
   const Scene& scene_;
   const Receiver& receiver_;
   const VisibleContour& contour_;
-  Vec normal_;
+  Vector3 normal_;
   ReceiverTraits traits_;
-  std::vector<Vec> directions_;  ///< of the vertices, of length 1
-  std::map<int, Part> parts_;    ///< by the number of the source
+  std::vector<Vector3> directions_;  ///< of the vertices, of length 1
+  std::map<int, Part> parts_;        ///< by the number of the source
   std::map<int, std::set<int>> outlines_;
   double term_sum_ = 0;    ///< of the terms of Lambert's formula
   double term_sizes_ = 0;  ///< of their absolute values
@@ -260,20 +264,6 @@ std::string_view Name(Lighting lighting) {
       return "penumbra";
   }
   return "unlit";
-}
-
-// Exactly, so that what is only near the horizon is told apart.
-bool IsOnHorizon(const Scene& scene, const Receiver& receiver,
-                 const ContourVertex& vertex) {
-  if (vertex.vertex < 0) return vertex.kind == VertexKind::kHorizon;
-  const Point3& v = scene.vertices()[static_cast<std::size_t>(vertex.vertex)];
-  const Point3& r = receiver.position;
-  const Vector3& n = receiver.normal;
-  const Vec3<Exact> normal{Exact(n.x), Exact(n.y), Exact(n.z)};
-  const Vec3<Exact> direction =
-      Vec3<Exact>{Exact(v.x), Exact(v.y), Exact(v.z)} -
-      Vec3<Exact>{Exact(r.x), Exact(r.y), Exact(r.z)};
-  return SignOf(Dot(normal, direction)) == Sign::kZero;
 }
 
 ReceiverTraits TraitsOf(const Scene& scene, const Receiver& receiver,

@@ -92,10 +92,6 @@ inline constexpr double kCancellation = 100;
 inline constexpr double kShortArc = 1e-6;
 /// conjunction    any vertex at which several vertices coincide exactly.
 
-/// Whether a vertex of the receiver's contour lies on its horizon. Exact.
-[[nodiscard]] bool IsOnHorizon(const Scene& scene, const Receiver& receiver,
-                               const ContourVertex& vertex);
-
 [[nodiscard]] ReceiverTraits TraitsOf(const Scene& scene,
                                       const Receiver& receiver,
                                       const VisibleContour& contour);

@@ -1,7 +1,15 @@
+// Notation
+//   o, d     origin and direction of the ray; its points are o + t d, t > 0
+//   a, b, c  corners of a triangle; w = a - o
+//   N        the triangle's normal (b - a) x (c - a), of any length
+//   height   N . w;  speed  N . d; the ray is in the plane at t = height / speed
+//   terms    a bound on the products that a value is the sum of
+
 #include "visibility/first_hit.h"
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -68,7 +76,9 @@ class Search {
         ray_(ray),
         direction_(MakeFilteredDirection(
             {ray.direction.x, ray.direction.y, ray.direction.z, 0})),
-        boxes_(ray.origin, ray.direction) {}
+        boxes_(ray.origin, ray.direction) {
+    assert(CGAL::FPU_get_cw() == CGAL_FE_UPWARD);
+  }
 
   [[nodiscard]] const RayBoxes& boxes() const { return boxes_; }
 
@@ -363,7 +373,9 @@ std::optional<FirstHit> FirstHitFinder::Find(const Ray& ray,
 }
 
 Point3 FirstHitFinder::PointOn(const Ray& ray, const FirstHit& hit) const {
+  assert(CGAL::FPU_get_cw() == CGAL_FE_TONEAREST);
   const Corners corners(scene_, hit.triangle);
+  assert(SignOf(ExactParameter(ray, corners).speed) == Sign::kPositive);
   const NearNormal normal(corners);
   Point3 point = RoundedPointOn(ray, corners, normal);
   LiftFrom(corners, normal, hit.from_front, point);

@@ -48,12 +48,13 @@ class FirstHitFinder {
   [[nodiscard]] std::optional<FirstHit> Find(
       const Ray& ray, FirstHitCounts* counts = nullptr) const;
 
-  /// Where a ray meets the plane of a triangle: each coordinate o + t d is
-  /// rounded once, off by 0.54 ulp at most, so that one of few digits is exact,
-  /// and so is that along an axis across which the plane stands. If the rounded point is behind the
-  /// plane as seen from the origin, one coordinate moves by an ulp or two until
-  /// it is not: what is behind a face must not look over its edge. Requires
-  /// that the ray meets the triangle (Find), and rounding to nearest.
+  /// Where a ray meets the plane of a triangle. Each coordinate o + t d is
+  /// within 0.54 ulp, so a value with few significant digits comes out exact.
+  /// If the plane is perpendicular to an axis, that coordinate is the plane's
+  /// own. If the rounded point is behind the plane as seen from the origin, one
+  /// coordinate moves by an ulp or two until it is not: what is behind a face
+  /// must not look over its edge. Requires that the ray meets the triangle
+  /// (Find), and rounding to nearest.
   [[nodiscard]] Point3 PointOn(const Ray& ray, const FirstHit& hit) const;
 
  private:

@@ -1,6 +1,7 @@
 #include "visibility/visible_contour.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <optional>
 #include <utility>
@@ -52,7 +53,9 @@ class Describer {
       : query_(query),
         contour_(contour),
         view_(ViewOf(query)),
-        evaluator_(view_) {}
+        evaluator_(view_) {
+    assert(!contour.is_joined);
+  }
 
   /// The same with VertexEdges, one per vertex.
   ContourInDetail DescribeInDetail() {

@@ -18,7 +18,8 @@ namespace truelux {
 /// a vertex is classified by every edge and scene vertex that could show
 /// there: those of the source and of what lies in front of its plane, without
 /// the inner edges of faces and of blocking meshes. Costs arcs times edges;
-/// meant for looking, not for the inner loop.
+/// meant for looking, not for the inner loop. Requires that the contour is not
+/// joined.
 VisibleContour DescribeContour(const ContourQuery& query,
                                const Contour& contour);
 

@@ -14,14 +14,13 @@ std::size_t Index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// The edge opposite to no corner but the k-th one's next but one: from corner
-/// k to the next.
+/// An edge of one triangle, the one between its corner k and the next.
 struct EdgeUse {
   int a = -1;
   int b = -1;
   int triangle = -1;
   int k = 0;
-  Sign side = Sign::kZero;
+  Sign side = Sign::kZero;  ///< as in EdgeNeighbour
 
   friend bool operator<(const EdgeUse& x, const EdgeUse& y) {
     return std::tie(x.a, x.b, x.triangle) < std::tie(y.a, y.b, y.triangle);

@@ -17,7 +17,8 @@ bool IsZero(const Vec3<Exact>& v) {
   return v.x.is_zero() && v.y.is_zero() && v.z.is_zero();
 }
 
-/// Under RoundUpward.
+/// Not under RoundUpward: an exact number below the range of binary64 would get
+/// an interval that does not hold it.
 Vec3<Interval> RoughOf(const Vec3<Exact>& v) {
   return {FromExact<Interval>::Of(v.x), FromExact<Interval>::Of(v.y),
           FromExact<Interval>::Of(v.z)};
@@ -36,9 +37,9 @@ EdgesAt::EdgesAt(const EdgeIndex& index, const Vec3<Exact>& d)
 /// are few, and the edges through d are among them.
 void EdgesAt::FindSides() {
   std::vector<int> open;
+  const Vec3<Interval> rough = RoughOf(d_);
   {
     const RoundUpward rounding;
-    const Vec3<Interval> rough = RoughOf(d_);
     for (int e = 0; e < index_.edge_count(); ++e) {
       const auto sign = TrySign(Dot(index_.RoughPlane(e), rough));
       if (sign && *sign != Sign::kZero) {

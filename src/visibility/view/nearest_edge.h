@@ -25,7 +25,8 @@ class NearestEdge {
 
   /// Of the segments that do not pass through a direction d to the source, the
   /// nearest one; nothing if there is none. That a segment misses d is exact;
-  /// the angle is good to a few digits.
+  /// the angle is good to a few digits. A segment that passes through d only
+  /// behind the source's plane counts as a miss, by the angle to its ends.
   [[nodiscard]] std::optional<EdgeMiss> To(const Vec3<Exact>& d) const;
 
  private:

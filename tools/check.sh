@@ -97,14 +97,18 @@ lane_tidy_changed() {
   } | sed 's/\.h$/.cpp/' | sort -u | compiled | tidy
 }
 
-# fuzz NAME: finds of a run are kept in build/fuzz/grown/NAME, so that the corpus
-# stays small; an input that fails is left in build/fuzz.
+# fuzz NAME: what a run finds is kept in build/fuzz/grown/NAME, so that the
+# corpus stays small; an input that fails is left in build/fuzz.
 fuzz() {
-  local grown="$build/grown/$1"
+  local grown="$build/grown/$1" log="$build/$1.log"
   mkdir -p -- "$grown"
   "$build/fuzz/$1_fuzz" -max_total_time="${TRUELUX_FUZZ_SECONDS:-60}" \
-    -timeout=10 -print_final_stats=0 -verbosity=0 -close_fd_mask=1 \
-    -artifact_prefix="$build/$1-" "$grown" "fuzz/corpus/$1" >&2
+    -timeout=10 -artifact_prefix="$build/$1-" \
+    "$grown" "fuzz/corpus/$1" >"$log" 2>&1 || {
+    tail -n 40 "$log" >&2
+    return 1
+  }
+  say "$1: $(grep -a '^Done ' "$log")"
 }
 
 lane_fuzz() {

@@ -319,7 +319,7 @@ void LiftFrom(const Corners& corners, const NearNormal& near, bool from_front,
       Cross(Displacement<Exact>(a, b), Displacement<Exact>(a, c));
   const Sign behind = from_front ? Sign::kNegative : Sign::kPositive;
   const auto is_behind = [&] {
-    return SignOf(HeightOver(normal, a, point)) == behind;
+    return SignOf(HeightOver(normal, corners.at[0], point)) == behind;
   };
   if (!is_behind()) return;
   const std::array<double*, 3> coordinates{&point.x, &point.y, &point.z};

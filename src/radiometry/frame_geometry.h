@@ -1,8 +1,8 @@
 // The vertices and planes of a contour in the receiver's frame, at a working
 // precision from which the number types of the formulas are rounded once.
 //
-// Letters: r the receiver, n its normal; W the working type; x, y, z the axes of
-// the frame, z along n.
+// Letters: r the receiver, n its normal; W the working type; x, y, z the axes
+// of the frame, z along n.
 
 #ifndef TRUELUX_RADIOMETRY_FRAME_GEOMETRY_H_
 #define TRUELUX_RADIOMETRY_FRAME_GEOMETRY_H_

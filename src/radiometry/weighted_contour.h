@@ -2,8 +2,8 @@
 // refer to, and what each source emits.
 //
 // Letters: r the receiver, n its normal; N the normal of a plane through r; M
-// the exitance and L the radiance of a source, M = pi L; E the irradiance, F the
-// form factor, E = sum of M F.
+// the exitance and L the radiance of a source, M = pi L; E the irradiance, F
+// the form factor, E = sum of M F.
 
 #ifndef TRUELUX_RADIOMETRY_WEIGHTED_CONTOUR_H_
 #define TRUELUX_RADIOMETRY_WEIGHTED_CONTOUR_H_

@@ -2,6 +2,9 @@
 
 #include "radiometry/evaluate.h"
 
+#include <array>
+#include <cstddef>
+
 #include <gtest/gtest.h>
 
 #include "truelux/scene.h"

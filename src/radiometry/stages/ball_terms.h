@@ -1,9 +1,9 @@
 // What the arcs of a source add to 2 pi |n| F, as balls: the two closed forms.
 //
-// Letters: n the scaled receiver normal, whose length is divided out at the end;
-// N the normal of an arc's plane, k the axis of a largest component of N; d1 and
-// d2 the directions in which an arc begins and ends; beta the angle between them,
-// gamma that between n and the side of N that is visible.
+// Letters: n the scaled receiver normal, whose length is divided out at the
+// end; N the normal of an arc's plane, k the axis of a largest component of N;
+// d1 and d2 the directions in which an arc begins and ends; beta the angle
+// between them, gamma that between n and the side of N that is visible.
 
 #ifndef TRUELUX_RADIOMETRY_STAGES_BALL_TERMS_H_
 #define TRUELUX_RADIOMETRY_STAGES_BALL_TERMS_H_

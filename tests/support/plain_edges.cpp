@@ -72,10 +72,10 @@ PlainHit PlainHitOf(const EdgeHit& hit) {
 
 PlainEdges::PlainEdges(const ContourQuery& query)
     : query_(query), r_(RationalOf(query.receiver.position)) {
-  const std::vector<bool> ignored = IgnoredFacets(query);
+  const IdVector<FacetId, bool> ignored = IgnoredFacets(query);
   const auto triangles = query.scene.triangles();
   for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
-    if (!ignored.empty() && ignored[Index(At(t).facet)]) continue;
+    if (!ignored.empty() && ignored[FacetId(At(t).facet)]) continue;
     if (Dot(Normal(t), Corner(t, 0) - r_) != 0) triangles_.push_back(t);
   }
 }

@@ -25,7 +25,7 @@ struct TwinValues {
 /// Both values. The map takes nearly all the time of either engine, so that
 /// both cost no more than one.
 inline TwinValues TwinValuesOf(const Scene& scene, const Receiver& receiver) {
-  const ContourQuery query{scene, receiver, 0};
+  const ContourQuery query{scene, receiver};
   const IdVector<FacetId, FacetView> facets = FacetViewsOf(query);
   const std::vector<ChartView> charts = ChartViewsOf(query, facets);
   return {

@@ -57,7 +57,7 @@ ViewVertices::ViewVertices(const ContourQuery& query,
 }
 
 bool ViewVertices::IsSource(int facet) const {
-  return facet >= 0 && views_[Index(facet)].is_source;
+  return facet >= 0 && views_[FacetId(facet)].is_source;
 }
 
 bool ViewVertices::CanJoin(const GluedView& view, int vertex,

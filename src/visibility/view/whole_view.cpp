@@ -138,7 +138,7 @@ class ViewAssembly {
     if (region.facet >= 0 && region.facet <= facet) return;
     region.facet = facet;
     region.face = edges_.FaceNumber(facet);
-    region.front = SignOf(views_[Index(facet)].height) == Sign::kNegative;
+    region.front = SignOf(views_[FacetId(facet)].height) == Sign::kNegative;
   }
 
   /// Those where arcs end, in the order of the arcs.

@@ -26,7 +26,7 @@ struct Twins {
 
 Twins TwinsOf(const HandContour& contour, const EvaluationQuery& evaluation) {
   const WeightedContour weighted = contour.Weighted();
-  const std::vector<bool> on_horizon = PlanesOnHorizon(weighted);
+  const HorizonPlanes on_horizon = PlanesOnHorizon(weighted);
   return {MultiprecisionStage(weighted, evaluation, on_horizon),
           MpfrStage(ExactSumOf(weighted, evaluation, on_horizon),
                     evaluation.emission)};

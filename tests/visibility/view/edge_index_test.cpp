@@ -93,8 +93,8 @@ class Directions {
   std::optional<Vec3<Exact>> Next() {
     if (index_.edge_count() == 0) return std::nullopt;
     const Segment s = index_.SegmentOf(AnyEdge());
-    const Vec3<Exact> a = index_.exact().FromReceiver(s.a);
-    const Vec3<Exact> b = index_.exact().FromReceiver(s.b);
+    const Vec3<Exact> a = index_.exact().FromReceiver(VertexId(s.a));
+    const Vec3<Exact> b = index_.exact().FromReceiver(VertexId(s.b));
     switch (random_.Integer(0, 9)) {
       case 0:
         return a;
@@ -128,11 +128,11 @@ class Directions {
     const int t = triangles[Index(
         random_.Integer(0, static_cast<int>(triangles.size()) - 1))];
     const RecipeEvaluator<Exact>& exact = index_.exact();
-    const Exact at_a = exact.AboveTriangle(t, s.a);
-    const Exact at_b = exact.AboveTriangle(t, s.b);
+    const Exact at_a = exact.AboveTriangle(TriangleId(t), VertexId(s.a));
+    const Exact at_b = exact.AboveTriangle(TriangleId(t), VertexId(s.b));
     if (SignOf(at_a) * SignOf(at_b) != Sign::kNegative) return std::nullopt;
-    const Vec3<Exact> d =
-        at_a * exact.FromReceiver(s.b) - at_b * exact.FromReceiver(s.a);
+    const Vec3<Exact> d = at_a * exact.FromReceiver(VertexId(s.b)) -
+                          at_b * exact.FromReceiver(VertexId(s.a));
     return SignOf(at_a) == Sign::kPositive ? d : -d;
   }
 
@@ -142,8 +142,8 @@ class Directions {
     for (int tries = 0; tries < 20; ++tries) {
       const Segment t = index_.SegmentOf(AnyEdge());
       if (t.edge == s.edge) continue;
-      const Vec3<Exact> u = index_.exact().FromReceiver(t.a);
-      const Vec3<Exact> v = index_.exact().FromReceiver(t.b);
+      const Vec3<Exact> u = index_.exact().FromReceiver(VertexId(t.a));
+      const Vec3<Exact> v = index_.exact().FromReceiver(VertexId(t.b));
       const Vec3<Exact> d = Cross(Cross(a, b), Cross(u, v));
       if (Dot(d, d).is_zero()) continue;
       for (const Vec3<Exact>& way : {d, -d}) {
@@ -239,7 +239,7 @@ TEST_P(EdgesOf, DirectionsAreThoseOfTheSlowTwin) {
     Receiver receiver = RandomReceiver(random, GetParam() != Kind::kGeneral, 2);
     if (random.OneIn(4))
       receiver.on_face = random.Integer(1, static_cast<int>(faces.size()));
-    const ContourQuery query{MakeScene(faces), receiver, 0};
+    const ContourQuery query{MakeScene(faces), receiver};
     const EdgeIndex index(query, RelevantTriangles(query));
     Directions directions(index, random);
     for (int i = 0; i < 30; ++i) {

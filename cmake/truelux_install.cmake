@@ -22,7 +22,13 @@ function(truelux_install_library target component)
 
   # A static library does not know what it needs: whoever links it links that.
   set(PC_LIBS "")
-  set(PC_PRIVATE_LIBS "-lmpfr -lgmp")
+  # Before FLINT 3 Arb was a library of its own (truelux_libraries.cmake).
+  set(PC_PRIVATE_LIBS "-lflint -lmpfr -lgmp")
+  if(TRUELUX_arb_LIBRARY)
+    get_filename_component(_arb ${TRUELUX_arb_LIBRARY} NAME_WE)
+    string(REGEX REPLACE "^lib" "-l" _arb ${_arb})
+    string(PREPEND PC_PRIVATE_LIBS "${_arb} ")
+  endif()
   if(type STREQUAL STATIC_LIBRARY)
     set(PC_LIBS " ${PC_PRIVATE_LIBS}")
     set(PC_PRIVATE_LIBS "")

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -212,6 +213,8 @@ class EdgesOf : public ::testing::TestWithParam<Kind> {
     if (plain.PassesBehind(facet, rational)) return;
     const auto angle = plain.NearestAngle(facet, rational);
     ASSERT_TRUE(angle.has_value());
+    // A miss by less than binary64 can hold is passed over.
+    if (*angle == std::numeric_limits<double>::denorm_min()) return;
     // Edges that are farther away may be left out.
     const double reach = kBesideSource * 0.99;
     if (!nearest || *angle > reach) {

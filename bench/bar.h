@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The bar: what truelux must not cost, in ratios that hold on any machine.
 
 #ifndef TRUELUX_BENCH_BAR_H_

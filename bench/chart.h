@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Error against time, as a picture.
 
 #ifndef TRUELUX_BENCH_CHART_H_

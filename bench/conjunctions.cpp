@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How often vertex tracing, as published, is wrong where edges and vertices
 // coincide in the image. The truth is the certified value.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes in which several edges or vertices lie on one ray from the receiver,
 // exactly or nearly.
 

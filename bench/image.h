@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An image's worth of receivers, and reading a large scene: seconds, not
 // ratios.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The last stage of evaluation, in Arb, beside its twin in plain MPFR
 // [docs/arb.md]: same bits, width of the enclosures, time. Every receiver is
 // forced to it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Timing of several methods side by side.
 
 #ifndef TRUELUX_BENCH_MEASURE_H_

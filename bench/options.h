@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a run of side_by_side is asked.
 
 #ifndef TRUELUX_BENCH_OPTIONS_H_

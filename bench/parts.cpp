@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the oracle and its parts cost.
 
 #include <cstdint>

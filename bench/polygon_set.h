@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What an exact library for Boolean operations does with the same question.
 
 #ifndef TRUELUX_BENCH_POLYGON_SET_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the recipes of scenes.h have in common.
 
 #ifndef TRUELUX_BENCH_SCENE_PARTS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes to measure on. Each is made by a fixed recipe from a seed and is the
 // same on every machine, up to what libm's sine and cosine differ by.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Crowds of triangles: the slabs, and the families that grow in one respect.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Degenerate scenes: everything on small integers, and the same moved by one
 // unit in the last place.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes that look like something: a room, boxes on a floor, meshes.
 
 #include <cmath>

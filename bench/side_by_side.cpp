@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compares truelux with other ways to the same number, in one run: time per
 // receiver on one thread, and error against the certified value.
 

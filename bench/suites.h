@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which methods are measured on which scenes.
 
 #ifndef TRUELUX_BENCH_SUITES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of results, for people and for programs.
 
 #ifndef TRUELUX_BENCH_TABLES_H_

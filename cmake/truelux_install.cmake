@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The library, its headers, and what find_package(truelux) and pkg-config need.
 # Components: `library` (the kind that was asked for), `development` (headers
 # and what does not depend on the kind), `program`, `man`.

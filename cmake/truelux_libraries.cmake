@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # GMP, MPFR and Arb as targets: all that a program linked to truelux needs
 # besides.
 # Used by the build and, installed, by find_package(truelux).

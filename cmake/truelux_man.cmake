@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Manual pages, made from --help by help2man: truelux(1), truelux-eval(1), ..
 find_program(HELP2MAN help2man)
 mark_as_advanced(HELP2MAN)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # exact/number.h brings CGAL's number types, which take most of the time of a
 # file that includes them: 6 s, and 2.5 s where the header is precompiled. Files
 # without it would lose 1 s each by loading it (docs/performance.md, section

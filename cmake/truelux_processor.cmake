@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Fused multiply-add in hardware makes double-double arithmetic several times
 # faster. It changes no result: contraction is off, and std::fma is the same
 # number wherever it is computed.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # truelux_version: what include/truelux/version.h says, the one place where the
 # version stands.
 set(_header ${CMAKE_CURRENT_LIST_DIR}/../include/truelux/version.h)

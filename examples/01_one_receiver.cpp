@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A scene made in code: the irradiance at one point below a square light that
 // is half hidden.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A scene from a file: the irradiance at one point, and how it was found.
 //
 //   02_read_scene SCENE.obj

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a receiver sees of a light: the arcs that bound the visible part, and
 // what their ends are.
 

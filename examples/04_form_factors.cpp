@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The form factors of all lights at some points, and two oracles over one
 // prepared scene.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Feeds the MTL reader with any bytes: each material that is named is there,
 // and its emission can be used.
 

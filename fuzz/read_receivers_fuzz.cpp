@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Feeds the reader of receivers tables with any bytes. What it accepts must be
 // a receiver, what it refuses needs a reason, and how the bytes arrive must not
 // matter.

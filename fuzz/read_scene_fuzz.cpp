@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Feeds the OBJ and MTL readers with any bytes. What they accept must be a
 // scene that keeps its promises; what they refuse needs a reason.
 

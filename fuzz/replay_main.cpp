@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a fuzz target once for each file of a folder, without a fuzzer, so that
 // every find stays a test.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Data flows one way: which room of src/ may include which is a table, and no
 // files include each other in a circle. Read from the #include lines, so that
 // the house cannot drift from its plan (docs/architecture.md).
@@ -202,6 +203,21 @@ TEST(Layering, OneFileSeesTheCommandLineParser) {
     }
   }
   EXPECT_EQ(users, std::vector<std::string>{"src/cli/parser.cpp"});
+}
+
+TEST(Layering, EveryFileNamesItsLicenceFirst) {
+  std::size_t checked = 0;
+  for (const char* folder :
+       {"include", "src", "tests", "bench", "examples", "fuzz"}) {
+    for (const Source& source : SourcesIn(folder)) {
+      ++checked;
+      ASSERT_FALSE(source.lines.empty()) << source.path;
+      EXPECT_EQ(source.lines.front(),
+                "// SPDX-License-Identifier: GPL-3.0-or-later")
+          << source.path;
+    }
+  }
+  EXPECT_GT(checked, 400U);
 }
 
 TEST(Layering, FilesAreShortEnoughToRead) {

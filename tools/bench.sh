@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Builds the comparison with other ways to the same number if need be and runs
 # it; arguments go to side_by_side, e.g.
 #

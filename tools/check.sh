@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Lanes that look for what a usual build and its tests do not show. Without
 # arguments all of them run, else those that are named:
 #

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Shared by the scripts beside it: finds the repository, knows the packages,
 # configures and builds. All chatter goes to stderr. Bash 3.2 is enough, and
 # neither flock nor nproc is needed.

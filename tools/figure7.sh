@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Renders the four pictures of docs/gallery.md, 512 x 512 on one thread, with
 # both methods, and prints a table of times:
 #

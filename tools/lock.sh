@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Part of common.sh: one build at a time. With flock the kernel lets go of the
 # lock when its holder ends, however it ends. Without flock the lock is a
 # folder, and a file in it names the processes that hold it: if none of them is

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """make_figure7.py FOLDER: four scenes after the words that describe Figure 7
 of Stark and Riesenfeld (2000), as figure7_a.obj to figure7_d.obj and their
 MTL files:

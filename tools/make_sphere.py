@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """make_sphere.py N FOLDER: a bumpy sphere of 2 N (N - 1) triangles under a
 square lamp (sphere.obj, sphere.mtl) and 25 receivers below it (sphere.csv),
 for measuring what large meshes cost."""

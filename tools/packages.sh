@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Part of common.sh: which packages are needed here, and which are missing.
 # shellcheck shell=bash
 # shellcheck disable=SC2154 # common.sh sets root and build

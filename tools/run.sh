@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Builds truelux if need be and runs it.
 #
 #   tools/run.sh              the irradiance on the floor of the Cornell box

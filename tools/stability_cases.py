@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The polygons that stability_reference.py measures on: the unoccluded regimes
 of src/baselines/regimes.h, with the same names and distributions and random
 numbers of their own."""

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """stability_reference.py [--polygons N] [--processes N]: how many digits each
 closed form of the irradiance keeps in binary64, as CSV on standard output:
 regime,formula,median,max of the relative error over N random polygons (1000)

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Builds everything if need be and runs the tests; arguments go to ctest, e.g.
 #
 #   tools/test.sh -R report

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is wrong with an input, and a result that may carry it.
 
 #ifndef TRUELUX_DIAGNOSTICS_H_

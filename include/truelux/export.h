@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which symbols a shared library shows.
 
 #ifndef TRUELUX_EXPORT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The form factors of all sources at one receiver, as plain data.
 
 #ifndef TRUELUX_FORM_FACTORS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The closed forms of the irradiance, by name.
 
 #ifndef TRUELUX_FORMULAS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Points, vectors and colours as plain doubles; the kind is in the type.
 
 #ifndef TRUELUX_GEOMETRY_H_

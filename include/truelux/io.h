@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reading scenes from files.
 
 #ifndef TRUELUX_IO_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The oracle: scene + receiver -> irradiance.
 
 #ifndef TRUELUX_IRRADIANCE_H_

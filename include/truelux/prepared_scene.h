@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What all oracles over one scene share.
 
 #ifndef TRUELUX_PREPARED_SCENE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The point and the side whose irradiance is asked for, and what is thrown if
 // they cannot be used.
 

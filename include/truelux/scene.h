@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A validated, immutable scene: polygons that emit, block, or both.
 
 #ifndef TRUELUX_SCENE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A uniformly emitting sphere as a source, unoccluded.
 
 #ifndef TRUELUX_SPHERE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How a result was reached: which stage answered how often.
 
 #ifndef TRUELUX_STATISTICS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The version of the library: of these headers, and of what is linked.
 
 #ifndef TRUELUX_VERSION_H_

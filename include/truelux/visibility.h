@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The visible contour: what a receiver sees of the sources, as plain data.
 
 #ifndef TRUELUX_VISIBILITY_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Arrays that are subscripted by ids of one kind only.
 
 #ifndef TRUELUX_BASE_ID_VECTOR_H_

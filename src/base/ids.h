@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ids that cannot be mixed: the index of a vertex is no index of a plane, and
 // the number of a face is no index of one.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The names of what can be chosen, one switch each: without a default, so that
 // the compiler asks for the name of a new enumerator.
 

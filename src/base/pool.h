@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Objects that are made once and used again, by one thread at a time.
 
 #ifndef TRUELUX_BASE_POOL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How many receivers are evaluated as one block.
 
 #ifndef TRUELUX_BASE_RECEIVER_BLOCK_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tables whose entries are forgotten all at once, in constant time: what is
 // kept for one receiver, or for one source, and is worth nothing for the next.
 

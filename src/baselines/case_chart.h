@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Points placed by where a receiver sees them.
 
 #ifndef TRUELUX_BASELINES_CASE_CHART_H_

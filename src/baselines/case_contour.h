@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The visible contour of a case of a regime.
 
 #ifndef TRUELUX_BASELINES_CASE_CONTOUR_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Random numbers of one case of a regime: the same on every platform, and
 // independent of how many numbers other cases have drawn. Two draws never stand
 // in one expression whose order the language leaves open.

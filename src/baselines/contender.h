@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The ways to find an irradiance that are compared.
 
 #ifndef TRUELUX_BASELINES_CONTENDER_H_

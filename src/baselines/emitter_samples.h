@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Points on the emitting faces of a scene, for estimators that average.
 
 #ifndef TRUELUX_BASELINES_EMITTER_SAMPLES_H_

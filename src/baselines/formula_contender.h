@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The closed formulas as methods that are compared.
 
 #ifndef TRUELUX_BASELINES_FORMULA_CONTENDER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A family of random cases with one difficulty of a known size.
 
 #ifndef TRUELUX_BASELINES_REGIME_H_

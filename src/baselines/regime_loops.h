@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The unoccluded regimes: loops above a receiver, each family with one
 // difficulty.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The occluded regimes: a triangular source behind black triangles whose
 // edges, as seen from the receiver, nearly meet, or that are thin, or that
 // leave a tiny hole.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where the formulas lose digits: families of random cases, each with one
 // difficulty at a known size, to measure methods on.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Irradiance by shadow rays (Embree 3, single precision): what most lighting
 // programs do.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The same interface in a build without Embree.
 
 #include <stdexcept>

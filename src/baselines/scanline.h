@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Row by row quadrature of the irradiance: the rival without rays and without
 // predicates.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Shadows in the plane of a source, cut into strips along its rows.
 
 #ifndef TRUELUX_BASELINES_SCANLINE_STRIPS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What surrounds one vertex of the image: circular sectors with depth and
 // emission (Stark and Riesenfeld 2000, section 3.2).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How many digits each closed formula keeps in each arithmetic, on the cases of
 // a regime; and whether the printed bounds hold.
 

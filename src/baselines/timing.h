@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How long work takes, measured so that methods can be compared.
 
 #ifndef TRUELUX_BASELINES_TIMING_H_

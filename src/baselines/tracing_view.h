@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A scene projected onto the image plane of a receiver, in double: what vertex
 // tracing works on (Stark and Riesenfeld 2000, sections 2 and 4).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One ray or cone through one vertex of the image, and all that it meets
 // (Stark and Riesenfeld 2000, sections 3.3 and 5).
 

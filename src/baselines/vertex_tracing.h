@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Irradiance by vertex tracing, as Stark and Riesenfeld published it in 2000:
 // the algorithm that truelux replaces.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // truelux bench: many methods on the receivers of one scene, as a report.
 
 #ifndef TRUELUX_CLI_CMD_BENCH_H_

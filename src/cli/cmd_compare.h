@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // truelux compare: what another program says, held against the truth.
 
 #ifndef TRUELUX_CLI_CMD_COMPARE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // truelux eval: the irradiance of receivers in a scene.
 
 #ifndef TRUELUX_CLI_CMD_EVAL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // truelux inspect: all that one receiver sees, as a picture and as numbers.
 
 #ifndef TRUELUX_CLI_CMD_INSPECT_H_

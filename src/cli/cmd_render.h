@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // truelux render: pictures of a scene, one irradiance a pixel.
 
 #ifndef TRUELUX_CLI_CMD_RENDER_H_

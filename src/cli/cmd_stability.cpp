@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // truelux stability: how many digits each formula keeps in each arithmetic.
 
 #include <algorithm>

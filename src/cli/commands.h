@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The commands of the program: each a table of options and what it does. The
 // list in main.cpp puts them in order.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the words of truelux eval ask for.
 
 #ifndef TRUELUX_CLI_EVAL_REQUEST_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The inputs that commands have in common.
 
 #ifndef TRUELUX_CLI_INPUT_ARGUMENTS_H_

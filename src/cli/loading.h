@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes and receivers for a command, with everything that is wrong with them.
 
 #ifndef TRUELUX_CLI_LOADING_H_

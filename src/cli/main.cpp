@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The program truelux: commands, help, and what the exit status says.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands and their options as plain tables. parser.h turns them into a
 // command line.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The words of options as numbers and paths.
 
 #ifndef TRUELUX_CLI_OPTION_VALUES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The options that say how an oracle answers, for all commands that ask one.
 
 #ifndef TRUELUX_CLI_ORACLE_ARGUMENTS_H_

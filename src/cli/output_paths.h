@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Outputs must not destroy inputs, nor each other.
 
 #ifndef TRUELUX_CLI_OUTPUT_PATHS_H_

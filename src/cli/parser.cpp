@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The only file that includes CLI11: its header takes ten seconds to compile.
 
 #include "cli/parser.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The command line of the program, from tables of commands.
 
 #ifndef TRUELUX_CLI_PARSER_H_

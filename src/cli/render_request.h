@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the words of truelux render ask for.
 
 #ifndef TRUELUX_CLI_RENDER_REQUEST_H_

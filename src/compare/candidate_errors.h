@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How far a candidate's values are from the truth, receiver by receiver and in
 // a few numbers.
 

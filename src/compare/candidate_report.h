@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A candidate held against the truth, as text and as JSON.
 
 #ifndef TRUELUX_COMPARE_CANDIDATE_REPORT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A candidate: receivers and what another program says about them.
 
 #ifndef TRUELUX_COMPARE_CANDIDATES_H_

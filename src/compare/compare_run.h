@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From a scene and a candidate to everything that a report says.
 
 #ifndef TRUELUX_COMPARE_COMPARE_RUN_H_

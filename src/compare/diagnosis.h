@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Why a candidate fails: a classic mistake, noise, or nothing that is known.
 
 #ifndef TRUELUX_COMPARE_DIAGNOSIS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // At which kinds of receivers a candidate fails.
 
 #ifndef TRUELUX_COMPARE_FAILURE_CLASSES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A candidate's whole table.
 
 #ifndef TRUELUX_COMPARE_LOAD_CANDIDATE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How well a hypothesis explains a candidate, beside the plain scene.
 
 #ifndef TRUELUX_COMPARE_MISTAKE_FIT_H_

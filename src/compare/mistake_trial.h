@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The receivers on which it is tried whether a known mistake explains a
 // candidate, and scenes like the compared one evaluated there.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The classic mistakes of programs that compute irradiance, as one table.
 
 #ifndef TRUELUX_COMPARE_MISTAKES_H_

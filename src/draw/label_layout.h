@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Places for labels beside points, so that none covers another.
 
 #ifndef TRUELUX_DRAW_LABEL_LAYOUT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pieces of SVG pictures, as text. Coordinates are in pixels, y downwards.
 
 #ifndef TRUELUX_DRAW_SVG_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Logarithmic axes and what is written along them.
 
 #ifndef TRUELUX_DRAW_SVG_AXIS_H_

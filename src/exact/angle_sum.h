@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sum of signed angles of one plane, with one arctangent for all of them.
 
 #ifndef TRUELUX_EXACT_ANGLE_SUM_H_

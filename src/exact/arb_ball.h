@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Arb's balls as values: a midpoint of any precision and a radius, which every
 // operation of Arb keeps so that the ball holds the true value.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // atan2: octants, a table of arctangents, Taylor. The proofs are
 // docs/errors.md section 4; its step names are repeated here.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // atan2 in double and in double-double, with proven constants.
 //
 // Nothing of the C library is used, so that the results, and not only their

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Arctangents for the double-double atan2.
 
 #ifndef TRUELUX_EXACT_ATAN_TABLE_H_

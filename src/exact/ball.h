@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A number with a running bound on its absolute error.
 //
 // Ball<T>, T = double or DoubleDouble, stands for a real number x with

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Planes and directions as balls, scaled so that nothing over- or underflows.
 
 #ifndef TRUELUX_EXACT_BALL_RECIPE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Vectors with one running bound for all three components.
 //
 // BallVector<T>, T = double or DoubleDouble, stands for a real vector whose

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A sign that is decided when it is first needed.
 
 #ifndef TRUELUX_EXACT_CACHED_SIGN_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where an edge through the view crosses a plane, and the order of such
 // crossings as far as double arithmetic can tell.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Unevaluated sums of two doubles: about 106 bits with double's exponents.
 //
 // Every operation has a proven relative error, given as a multiple of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact vectors that no recipe describes, for headers that do not need CGAL.
 
 #ifndef TRUELUX_EXACT_EXPLICIT_VECTORS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The first stage of a sign: double arithmetic with an error bound.
 //
 // A quantity is a dot product of two vectors that are themselves known only up
@@ -22,16 +23,17 @@
 
 namespace truelux {
 
-/// |fl(x op y) - x op y| <= kDirectedUnit |x op y|, rounding in any one direction.
+/// u of the comments here: |fl(x op y) - x op y| <= u |x op y|, rounding in any
+/// one direction.
 inline constexpr double kDirectedUnit = 0x1p-52;
 
 /// Relative rounding error of the sum of three products, rounded in any one
-/// direction: kDirectedUnit from the product and twice kDirectedUnit from the sums on top,
-/// (1 + kDirectedUnit)^3 - 1 < 4 kDirectedUnit, relative to the sum of absolute values.
+/// direction, relative to the sum of absolute values. One rounding for each
+/// product and two for the sums: (1 + u)^3 - 1 < 4 u.
 inline constexpr double kDotFactor = 4 * kDirectedUnit;
 
-/// Two products and their difference: 2 kDirectedUnit + 2 kDirectedUnit (1 + kDirectedUnit) < 5 kDirectedUnit,
-/// relative to the largest product.
+/// Rounding error of two products and their difference, relative to the largest
+/// product: 2 u for the products, 2 u (1 + u) for the difference, < 5 u.
 inline constexpr double kCrossFactor = 5 * kDirectedUnit;
 
 /// Underflow: a product errs by at most 2^-1074 more, a sum by nothing more;
@@ -102,18 +104,19 @@ inline FilteredDirection FilteredDifference(const Point3& a, const Point3& b) {
   return d;
 }
 
-/// u x e. A component is the difference of two products; with m = max|u~|
-/// max|e~| a product errs by |u~||de| + |e~||du| + |du||de| + kDirectedUnit m, and the
-/// difference is rounded by 2 kDirectedUnit m (1 + kDirectedUnit) more. Requires RoundUpward.
-inline ApproxVector FilteredCross(const FilteredDirection& u,
+/// a x e. A component is the difference of
+/// two products. Let m = max|a~| max|e~|. A product errs by
+/// |a~||de| + |e~||da| + |da||de| + u m, and rounding the difference adds
+/// 2 u m (1 + u). Requires RoundUpward.
+inline ApproxVector FilteredCross(const FilteredDirection& a,
                                   const FilteredDirection& e) {
   assert(IsRoundingUpward());
-  const double m = u.max * e.max;
+  const double m = a.max * e.max;
   const double error =
-      2 * (u.max * e.v.error + e.max * u.v.error + u.v.error * e.v.error) +
+      2 * (a.max * e.v.error + e.max * a.v.error + a.v.error * e.v.error) +
       kCrossFactor * m + kDotFloor;
-  return {u.v.y * e.v.z - u.v.z * e.v.y, u.v.z * e.v.x - u.v.x * e.v.z,
-          u.v.x * e.v.y - u.v.y * e.v.x,
+  return {a.v.y * e.v.z - a.v.z * e.v.y, a.v.z * e.v.x - a.v.x * e.v.z,
+          a.v.x * e.v.y - a.v.y * e.v.x,
           error < kNoDotOverflow && m < kNoDotOverflow ? error : HUGE_VAL};
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Four doubles at a time. GCC and Clang compute with these lane by lane on any
 // processor, and by one instruction where there is one.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // MPFR numbers as values, and the way from exact numbers to them.
 //
 // All functions round to nearest. Those that are given a destination take the

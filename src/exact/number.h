@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The two number types below the predicates, and the rounding they need.
 //
 // Exact     CGAL::Mpzf: dyadic numbers of any size; +, -, * and comparison

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a closed formula needs of its number type, for all five of them:
 // float, double, DoubleDouble, Multiprecision (MPFR of any precision) and
 // Ball<double> (double with a running bound).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Several planes at once: the filter stage of one direction against all the
 // planes of a cone, four to an instruction where the processor has them.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact vectors in canonical form, to tell whether two are the same direction.
 
 #ifndef TRUELUX_EXACT_PRIMITIVE_H_

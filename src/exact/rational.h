@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rational numbers where a quotient has to be exact, and the way back to
 // binary64.
 

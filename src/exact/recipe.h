@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Planes and directions through the receiver r, as recipes over the input.
 //
 // Nothing that a predicate decides on is ever rounded: a plane or a direction

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Recipes evaluated at any number type.
 
 #ifndef TRUELUX_EXACT_RECIPE_EVALUATOR_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Asks how double arithmetic rounds, for the functions that require it.
 
 #ifndef TRUELUX_EXACT_ROUNDING_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sign of an exact quantity. "Zero" and "not known" are different types:
 // a stage that may not know returns std::optional<Sign>.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Three numbers of any ring type.
 
 #ifndef TRUELUX_EXACT_VEC3_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Planes and directions seen from one receiver, and the signs between them.
 //
 // Every sign is decided in stages: a double filter, intervals, exact numbers.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Faces and edges in words.
 
 #ifndef TRUELUX_EXPLAIN_EDGE_TEXT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a receiver sees, with the edges that make it hard by name.
 
 #ifndef TRUELUX_EXPLAIN_RECEIVER_DETAIL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a receiver sees, and what may make it hard for other methods.
 
 #ifndef TRUELUX_EXPLAIN_RECEIVER_REASON_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "explain/shadow_class.h"
 
 #include "explain/receiver_reason.h"

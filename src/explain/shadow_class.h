@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a receiver gets of the sources, as one word a pixel.
 
 #ifndef TRUELUX_EXPLAIN_SHADOW_CLASS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How far a value is from the truth at one receiver.
 
 #ifndef TRUELUX_EXPLAIN_VALUE_ERROR_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Text in pictures made of pixels.
 
 #ifndef TRUELUX_IMAGE_BITMAP_TEXT_H_

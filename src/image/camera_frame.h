@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A pinhole camera: which ray belongs to which place of the picture.
 
 #ifndef TRUELUX_IMAGE_CAMERA_FRAME_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A picture through a pinhole camera: its pixels are the first faces along
 // rays.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures as OpenEXR files.
 
 #ifndef TRUELUX_IMAGE_EXR_IMAGE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of how an irradiance comes about, with legends.
 
 #ifndef TRUELUX_IMAGE_EXTRA_PICTURE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers as colours, in steps that look equal.
 
 #ifndef TRUELUX_IMAGE_FALSE_COLOUR_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the colours of a picture mean, drawn beside it.
 
 #ifndef TRUELUX_IMAGE_IMAGE_LEGEND_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A picture as numbers: one irradiance a pixel.
 
 #ifndef TRUELUX_IMAGE_IRRADIANCE_IMAGE_H_

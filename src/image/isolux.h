@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of equal irradiance in a picture.
 
 #ifndef TRUELUX_IMAGE_ISOLUX_H_

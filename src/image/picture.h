@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From irradiances to the bytes of a picture file.
 
 #ifndef TRUELUX_IMAGE_PICTURE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How numbers become a picture file.
 
 #ifndef TRUELUX_IMAGE_PICTURE_STYLE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a picture shows, and which receivers its pixels are.
 
 #ifndef TRUELUX_IMAGE_PICTURE_VIEW_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The pixels of a picture as receivers.
 
 #ifndef TRUELUX_IMAGE_PIXEL_RECEIVERS_H_

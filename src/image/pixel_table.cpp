@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "image/pixel_table.h"
 
 #include <fmt/format.h>

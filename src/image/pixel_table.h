@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pixels as rows of comma-separated values.
 
 #ifndef TRUELUX_IMAGE_PIXEL_TABLE_H_

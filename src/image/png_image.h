@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures as PNG files.
 
 #ifndef TRUELUX_IMAGE_PNG_IMAGE_H_

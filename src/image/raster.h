@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One value for each pixel of a picture.
 
 #ifndef TRUELUX_IMAGE_RASTER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From pixels to irradiances, over threads.
 
 #ifndef TRUELUX_IMAGE_RENDER_PIXELS_H_

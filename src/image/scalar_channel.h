@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One number of three channels, for pictures that show one.
 
 #ifndef TRUELUX_IMAGE_SCALAR_CHANNEL_H_

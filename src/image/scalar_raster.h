@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of one number a pixel, by the colours of a scale.
 
 #ifndef TRUELUX_IMAGE_SCALAR_RASTER_H_

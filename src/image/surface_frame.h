@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The axes and the extent of a flat surface.
 
 #ifndef TRUELUX_IMAGE_SURFACE_FRAME_H_

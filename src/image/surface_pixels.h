@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A picture of a flat surface: its pixels are points of the surface.
 
 #ifndef TRUELUX_IMAGE_SURFACE_PIXELS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Irradiance as colours of a display.
 
 #ifndef TRUELUX_IMAGE_TONE_H_

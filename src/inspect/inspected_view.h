@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A receiver's view with the numbers that belong to it: what pictures and
 // reports of it are made from.
 

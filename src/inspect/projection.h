@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Directions of a receiver's hemisphere as points of a round picture.
 
 #ifndef TRUELUX_INSPECT_PROJECTION_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A receiver's view as JSON.
 
 #ifndef TRUELUX_INSPECT_VIEW_JSON_H_

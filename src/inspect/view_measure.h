@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Angles and sizes of what a receiver sees.
 
 #ifndef TRUELUX_INSPECT_VIEW_MEASURE_H_

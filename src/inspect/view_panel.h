@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What stands beside the picture of a view: the receiver, what it receives, a
 // legend, the sources.
 

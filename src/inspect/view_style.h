@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How the parts of a view look: the same in the picture and in its legend.
 
 #ifndef TRUELUX_INSPECT_VIEW_STYLE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A receiver's view as a picture.
 
 #ifndef TRUELUX_INSPECT_VIEW_SVG_H_

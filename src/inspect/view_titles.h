@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What regions, arcs and vertices of a view are, in words: as names or of any
 // length, for those who point at them.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The visible region of one source at a number type: what formulas sum over.
 //
 // Letters: r the receiver; T the number type of a formula, W the working type

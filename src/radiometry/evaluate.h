@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Visible contour -> irradiance.
 
 #ifndef TRUELUX_RADIOMETRY_EVALUATE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The stages in order: double or double-double with a running bound, then
 // Arb with growing precision.
 

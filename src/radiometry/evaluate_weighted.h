@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Visible contour -> irradiance, on an input that needs no scene.
 
 #ifndef TRUELUX_RADIOMETRY_EVALUATE_WEIGHTED_H_

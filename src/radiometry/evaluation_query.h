@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How a contour is to be evaluated.
 
 #ifndef TRUELUX_RADIOMETRY_EVALUATION_QUERY_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Memory that evaluations use again.
 
 #ifndef TRUELUX_RADIOMETRY_EVALUATION_WORKSPACE_H_

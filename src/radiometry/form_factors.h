@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The form factors of all emitting faces, from what is seen of them together.
 
 #ifndef TRUELUX_RADIOMETRY_FORM_FACTORS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any closed formula on any visible contour, at any number type.
 
 #ifndef TRUELUX_RADIOMETRY_FORMULA_EVALUATION_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Irradiance by a formula at any number type, without a bound.
 
 #ifndef TRUELUX_RADIOMETRY_FORMULA_SUM_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The vertices and planes of a contour in the receiver's frame, at a working
 // precision from which the number types of the formulas are rounded once.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Irradiance in double by one formula, with a proven bound.
 
 #ifndef TRUELUX_RADIOMETRY_NAMED_FORMULA_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a PreparedScene holds, for the oracles over it.
 
 #ifndef TRUELUX_RADIOMETRY_PREPARED_SCENE_H_

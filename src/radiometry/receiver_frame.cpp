@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "radiometry/receiver_frame.h"
 
 #include <algorithm>

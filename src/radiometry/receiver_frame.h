@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The orthonormal frame of a receiver, at a working precision.
 
 #ifndef TRUELUX_RADIOMETRY_RECEIVER_FRAME_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Some sources of a contour as a contour of their own.
 
 #ifndef TRUELUX_RADIOMETRY_SOURCE_SLICE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The form factor of a sphere that the horizon may cut (docs/method.md
 // section 10).
 

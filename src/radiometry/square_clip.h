@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cutting visible contours to a square on the image plane (S, Lemma 1).
 
 #ifndef TRUELUX_RADIOMETRY_SQUARE_CLIP_H_

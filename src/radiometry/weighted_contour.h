@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The input of every evaluation stage: a visible contour, what its recipes
 // refer to, and what each source emits.
 //

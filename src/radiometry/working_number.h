@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the working types of frames, Ball<DoubleDouble> and Multiprecision, have
 // in common, under the same names.
 

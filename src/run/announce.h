@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is being done, for whoever waits at a terminal.
 
 #ifndef TRUELUX_RUN_ANNOUNCE_H_

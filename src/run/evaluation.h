@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Receivers in, results out: spread over threads, in order, in bounded memory.
 
 #ifndef TRUELUX_RUN_EVALUATION_H_

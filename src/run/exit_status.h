@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the program's exit status says.
 
 #ifndef TRUELUX_RUN_EXIT_STATUS_H_

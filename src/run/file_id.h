@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which file a path or a descriptor stands for, links followed.
 
 #ifndef TRUELUX_RUN_FILE_ID_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A file or standard input as a byte source.
 
 #ifndef TRUELUX_RUN_INPUT_FILE_H_

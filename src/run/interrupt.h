@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Stopping a run from outside: Ctrl-C and its relatives.
 
 #ifndef TRUELUX_RUN_INTERRUPT_H_

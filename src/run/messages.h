@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Errors and notes for the user, on standard error, one line each.
 
 #ifndef TRUELUX_RUN_MESSAGES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An output that is there whole or not at all.
 
 #ifndef TRUELUX_RUN_OUTPUT_FILE_H_

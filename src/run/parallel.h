@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Many receivers at once, spread over threads.
 
 #ifndef TRUELUX_RUN_PARALLEL_H_

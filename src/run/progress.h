@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A line that tells how far a long run is, on terminals only.
 
 #ifndef TRUELUX_RUN_PROGRESS_H_

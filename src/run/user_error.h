@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What ends a command because the user can mend something.
 
 #ifndef TRUELUX_RUN_USER_ERROR_H_

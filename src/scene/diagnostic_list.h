@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Collects what is wrong with one file, within bounds.
 
 #ifndef TRUELUX_SCENE_DIAGNOSTIC_LIST_H_

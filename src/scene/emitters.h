@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which faces emit.
 
 #ifndef TRUELUX_SCENE_EMITTERS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The normal of a facet as a receiver can carry it.
 
 #ifndef TRUELUX_SCENE_FACET_NORMAL_H_

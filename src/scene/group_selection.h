@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Objects and groups by name.
 
 #ifndef TRUELUX_SCENE_GROUP_SELECTION_H_

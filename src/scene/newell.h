@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The Newell normal of a ring and what it tells, at any number type.
 
 #ifndef TRUELUX_SCENE_NEWELL_H_

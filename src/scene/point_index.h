@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Gives equal points the same number.
 
 #ifndef TRUELUX_SCENE_POINT_INDEX_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How a ring of points becomes triangles, or why it cannot.
 
 #ifndef TRUELUX_SCENE_POLYGON_H_

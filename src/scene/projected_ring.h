@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A ring of points, exactly: its normal, its shape, and its image along the
 // normal. Every sign is decided by interval arithmetic or, where that cannot
 // tell, by exact numbers.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A scene's arrays by ids: the public arrays are subscripted by plain numbers,
 // the inside by what the numbers stand for.
 

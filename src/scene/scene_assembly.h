@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Faces -> the arrays of a scene, and what is wrong with them.
 
 #ifndef TRUELUX_SCENE_SCENE_ASSEMBLY_H_

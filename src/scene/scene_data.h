@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a Scene shares between its copies.
 
 #ifndef TRUELUX_SCENE_SCENE_DATA_H_

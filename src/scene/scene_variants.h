@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes that differ from a given one in what some faces emit or block.
 
 #ifndef TRUELUX_SCENE_SCENE_VARIANTS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Does the boundary of a polygon meet itself?
 
 #ifndef TRUELUX_SCENE_SIMPLE_POLYGON_H_

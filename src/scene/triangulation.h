@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A simple polygon as triangles.
 
 #ifndef TRUELUX_SCENE_TRIANGULATION_H_

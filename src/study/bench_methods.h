@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The methods that truelux bench compares.
 
 #ifndef TRUELUX_STUDY_BENCH_METHODS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs many methods on the receivers of one scene.
 
 #ifndef TRUELUX_STUDY_BENCH_RUN_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Many methods on the receivers of one scene, beside the certified truth.
 
 #ifndef TRUELUX_STUDY_COMPARISON_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A comparison as tables.
 
 #ifndef TRUELUX_STUDY_COMPARISON_CSV_H_

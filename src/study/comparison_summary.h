@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A method's errors in a few numbers.
 
 #ifndef TRUELUX_STUDY_COMPARISON_SUMMARY_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A comparison as one page.
 
 #ifndef TRUELUX_STUDY_HTML_REPORT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of a report's page.
 
 #ifndef TRUELUX_STUDY_HTML_TABLES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A comparison with what all parts of a report derive from it.
 
 #ifndef TRUELUX_STUDY_REPORT_VIEW_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where everything stands in the chart of speed against error.
 
 #ifndef TRUELUX_STUDY_SPEED_CHART_LAYOUT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The measurements of truelux stability as tables.
 
 #ifndef TRUELUX_STUDY_STABILITY_TABLES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A method's errors at a glance.
 
 #ifndef TRUELUX_STUDY_SVG_HISTOGRAM_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/svg_speed_chart.h"
 
 #include <algorithm>

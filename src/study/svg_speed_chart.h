@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Error against time, one mark per method.
 
 #ifndef TRUELUX_STUDY_SVG_SPEED_CHART_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where methods are farthest from the truth.
 
 #ifndef TRUELUX_STUDY_WORST_RECEIVERS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where the bytes of a text input come from.
 
 #ifndef TRUELUX_TEXT_BYTE_SOURCE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Records of comma-separated values (RFC 4180), read one at a time.
 
 #ifndef TRUELUX_TEXT_CSV_H_

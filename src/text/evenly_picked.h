@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Some of many, spread over all of them.
 
 #ifndef TRUELUX_TEXT_EVENLY_PICKED_H_

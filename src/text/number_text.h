@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers as people read them; results.h has those that read back exactly.
 
 #ifndef TRUELUX_TEXT_NUMBER_TEXT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The middle, the upper end and the mean size of a set of numbers.
 
 #ifndef TRUELUX_TEXT_QUANTILE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The columns of a table that say what its receivers are.
 
 #ifndef TRUELUX_TEXT_RECEIVER_COLUMNS_H_

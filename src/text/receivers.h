@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Receivers from comma-separated values, one at a time.
 
 #ifndef TRUELUX_TEXT_RECEIVERS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Results as text: result columns of a table, statistics as JSON.
 
 #ifndef TRUELUX_TEXT_RESULTS_H_

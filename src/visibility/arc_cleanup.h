@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From the arcs that an engine happened to make to those that a reader
 // expects: an engine may split an arc anywhere, and may add pairs of equal
 // opposite arcs.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What coincides in one direction, and what a vertex there is called.
 
 #ifndef TRUELUX_VISIBILITY_COINCIDENCE_H_

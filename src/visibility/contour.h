@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What leaves src/visibility: the visible contours of the sources seen from
 // one receiver, exactly.
 //

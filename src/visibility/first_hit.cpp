@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Notation
 //   o, d     origin and direction of the ray; its points are o + t d, t > 0
 //   a, b, c  corners of a triangle; w = a - o

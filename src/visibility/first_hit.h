@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The first face along a ray, found exactly.
 
 #ifndef TRUELUX_VISIBILITY_FIRST_HIT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether a vertex of a visible contour lies on the receiver's horizon.
 
 #ifndef TRUELUX_VISIBILITY_ON_HORIZON_H_

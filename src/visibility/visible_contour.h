@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From an engine's contour to the public one: vertices told apart exactly and
 // classified.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Names of what can be chosen: each choice has one, and no two share it.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One version: of the headers, of the linked library, of the project.
 
 #include "truelux/version.h"

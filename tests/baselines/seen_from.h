@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Angles as a receiver sees them, with 120 digits.
 
 #ifndef TRUELUX_TESTS_BASELINES_SEEN_FROM_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The formulas lose what an independent transcription loses, no bound fails,
 // and a seed gives the same errors again.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One test per way to call truelux eval wrongly: the exit status is 2, a line
 // on standard error says what and where, and no output file comes to be.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The report of truelux bench in a browser: Chromium without a window.
 
 #include <cstdio>

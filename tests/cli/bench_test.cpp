@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // truelux bench from outside: what it writes, and what it refuses.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Chromium without a window, to see whether pages and pictures open.
 
 #ifndef TRUELUX_TESTS_CLI_BROWSER_H_

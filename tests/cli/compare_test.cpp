@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // truelux compare from outside: what it prints, its exit status, its JSON.
 
 #include <nlohmann/json.hpp>

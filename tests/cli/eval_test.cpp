@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // truelux eval from outside: what it prints and what it writes.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Stopping truelux eval: by signals, whatever it waits for.
 
 #include <algorithm>

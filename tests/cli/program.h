@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the program truelux from outside, as a user does.
 
 #ifndef TRUELUX_TESTS_CLI_PROGRAM_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // truelux render from outside: which pixel is where, what files hold, and what
 // is refused.
 

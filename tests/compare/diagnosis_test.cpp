@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Deliberately wrong programs, each with a classic mistake, and programs
 // without one: what the diagnosis calls them.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes and receivers on which classic mistakes matter.
 
 #ifndef TRUELUX_TESTS_COMPARE_STAGES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small programs of their own that compute irradiance, rightly or wrongly.
 
 #ifndef TRUELUX_TESTS_COMPARE_WRONG_PROGRAMS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Uses each public header's part that has to be linked; exits with 0 if the
 // answers are right.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Installs truelux, once with the library static and once shared, and uses each
 # from outside: by find_package and, where there is one, by pkg-config.
 #

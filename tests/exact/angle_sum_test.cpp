@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Angles added by multiplying complex numbers, against arctangents of their
 // own with 1400 bits: no turn is lost, and small angles keep their digits.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // atan2 in double and double-double: every constant against MPFR.
 
 #include "exact/atan2.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A ball always holds the true value: random chains of operations, each step
 // checked against 1400 bits.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A BallVector always holds the true vector: every operation against 1400
 // bits, with operands that cancel, of mixed sizes and of mixed errors.
 

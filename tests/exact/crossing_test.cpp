@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The parameter of a crossing: its bound, and the order that it tells.
 
 #include "exact/crossing.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every constant of double_double.h, held against MPFR.
 
 #include "exact/double_double.h"

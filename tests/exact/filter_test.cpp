@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The constants of the double filter, derived again and tried to break.
 
 #include "exact/filter.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Double-doubles with trouble in them, and how far a result is off.
 
 #ifndef TRUELUX_TESTS_EXACT_HARD_PAIRS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The way from exact numbers to MPFR and to binary64.
 
 #include "exact/multiprecision.h"

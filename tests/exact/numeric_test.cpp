@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What closed formulas need of their number types: a Ball contains the true
 // value for every real in its operands, the plain types are within a few units
 // of it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A bundle of planes says what its planes say one by one.
 
 #include "exact/plane_bundle.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The staged predicates on random input: agreement of the stages on near ties,
 // identities, and how often the exact stage is reached.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The staged predicates on inputs made by hand: the sign, and the cheapest
 // stage that may answer.
 

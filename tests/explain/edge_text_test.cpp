@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Faces and edges in words.
 
 #include "explain/edge_text.h"

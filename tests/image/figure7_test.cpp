@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The four pictures of docs/gallery.md, small: every engine gives every pixel
 // the same bits, and no kind of pixel is missing.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Picture files, read back by the libraries; colours, scales, legends, lines.
 
 #include <ImfArray.h>

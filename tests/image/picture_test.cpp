@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which file a style makes of irradiances, and what the notes say.
 
 #include "image/picture.h"

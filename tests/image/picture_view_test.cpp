@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From a name or a camera to the receivers of a picture.
 
 #include "image/picture_view.h"

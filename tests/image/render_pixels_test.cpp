@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A picture has what was wished for, and of each pixel what the oracle says.
 
 #include "image/render_pixels.h"

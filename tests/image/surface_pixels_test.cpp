@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which pixel of a surface is where: axes, extents, exact centres, holes.
 
 #include "image/surface_pixels.h"

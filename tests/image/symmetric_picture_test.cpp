@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures in which receivers see edges line up exactly: no pixel is wrong.
 //
 // A square lamp over a square floor, and between them squares whose edges and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The picture of a view: areas in it are form factors, and its curves are the
 // images of arcs.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One receiver after the other costs no memory once the storage has grown.
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sum over angular spans: the printed equation (9), and every bit of the
 // sums over contours.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What formulas are given: points in the receiver's frame, their differences,
 // planes and determinants.
 

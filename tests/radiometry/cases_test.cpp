@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The hard cases in tests/data/cases: expected.csv is the correctly rounded
 // answer of an independent program that subtracts cones from cones.
 

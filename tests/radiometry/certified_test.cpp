@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Certified results against an evaluation with 421 digits that shares no
 // code, and against each other: two formulas, three ways to write the ends.
 

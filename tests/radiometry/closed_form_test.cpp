@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Contours whose irradiance is known in closed form.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Method::kDouble: the bound holds always, and is not far from the error.
 
 #include <algorithm>

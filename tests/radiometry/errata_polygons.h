@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Polygons for the tests of corrected equations, and their true irradiance.
 
 #ifndef TRUELUX_TESTS_RADIOMETRY_ERRATA_POLYGONS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The printed equations that docs/method.md section 8 corrects: what they give
 // as printed, what the corrected ones give, and what is right, by numbers. The
 // truth is the oracle's, which uses none of them as printed. Here: directions

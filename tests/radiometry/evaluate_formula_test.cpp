@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Oracle::EvaluateFormula: any formula in any arithmetic, for users of the
 // library.
 

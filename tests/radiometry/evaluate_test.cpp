@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // EvaluateContour: what it takes from the scene and from the query.
 
 #include "radiometry/evaluate.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Form factors of all sources at once: the bits of each one alone.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any formula at any number type on contours made by hand.
 
 #ifndef TRUELUX_TESTS_RADIOMETRY_FORMULA_RUNS_H_

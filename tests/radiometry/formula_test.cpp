@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every formula at every number type, on polygons whose form factor is known.
 
 #include <array>

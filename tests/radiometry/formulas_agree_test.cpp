@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // All closed forms are one number: at 1024 bits they agree to 60 digits, on
 // every source of every hard case; a usual run takes the first sources of each.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Visible contours made by hand, without any visibility engine.
 
 #ifndef TRUELUX_TESTS_RADIOMETRY_HAND_CONTOUR_H_

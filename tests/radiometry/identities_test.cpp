@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Identities that keep every bit, on random scenes.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Polygons whose form factor is known in closed form.
 
 #ifndef TRUELUX_TESTS_RADIOMETRY_KNOWN_VIEWS_H_

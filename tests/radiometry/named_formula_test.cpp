@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // --method double by any formula, through the oracle: bounds hold on scenes
 // with occlusion, horizon and several emitters, and auto is never worse.
 

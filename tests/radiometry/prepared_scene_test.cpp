@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Several oracles over one prepared scene.
 
 #include "truelux/prepared_scene.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Random polygons of every size and place, for tests.
 
 #ifndef TRUELUX_TESTS_RADIOMETRY_RANDOM_POLYGONS_H_

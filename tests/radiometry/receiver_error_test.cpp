@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Receivers that cannot be used: refused before anything is found, and named.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Irradiance with 421 digits, by the vector form of Lambert's formula and by
 // nothing that the library uses.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Regions cut to a square on the image plane.
 
 #include "radiometry/square_clip.h"

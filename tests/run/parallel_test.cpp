@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Work spread over threads: each piece is done once, and what comes out does
 // not depend on how many threads there are.
 

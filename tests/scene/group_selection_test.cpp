@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Objects, groups and rings of a scene.
 
 #include "scene/group_selection.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rule for rule what src/scene does with rings, on small integers, in the
 // slowest and plainest way.
 

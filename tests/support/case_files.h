@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The hard cases in tests/data/cases.
 
 #ifndef TRUELUX_TESTS_SUPPORT_CASE_FILES_H_

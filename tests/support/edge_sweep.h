@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The plain way to tell the visible pieces of one edge: everything that happens
 // along it, sorted.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The contour engine's slow twin: every edge against every triangle. No boxes,
 // no index, no pieces but triangles, no edge left out, nothing trimmed.
 

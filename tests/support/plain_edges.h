@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The edges through a direction by brute force: every triangle of the scene, in
 // the scene's own space, in rational numbers. The slow twin of EdgesAt and
 // NearestEdge, with which it shares neither planes through the receiver nor an

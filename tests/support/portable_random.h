@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Random numbers that are the same on every platform: raw engine bits only.
 
 #ifndef TRUELUX_TESTS_SUPPORT_PORTABLE_RANDOM_H_

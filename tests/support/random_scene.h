@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Random soups of polygons: on a small integer lattice, where everything
 // coincides, or in general position.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers with many bits to hold results against: slow, simple, and
 // independent of the library's own number types.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes from strings.
 
 #ifndef TRUELUX_TESTS_SUPPORT_SCENE_TEXT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes and answers in one line, for tests.
 
 #ifndef TRUELUX_TESTS_SUPPORT_SCENES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How long the sweeps over random scenes are.
 //
 // A usual run takes a few scenes of each kind, so that the tests stay short.

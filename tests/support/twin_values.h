@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The irradiance by the two slow engines, from one exact map.
 
 #ifndef TRUELUX_TESTS_SUPPORT_TWIN_VALUES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A view of a few triangles, for tests of the exact layer.
 
 #ifndef TRUELUX_TESTS_SUPPORT_VIEW_FIXTURE_H_

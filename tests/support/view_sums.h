@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Areas of the regions of a whole view, by textbook formulas in double.
 
 #ifndef TRUELUX_TESTS_SUPPORT_VIEW_SUMS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether a text is well-formed XML, as far as this program writes it.
 
 #ifndef TRUELUX_TESTS_SUPPORT_WELL_FORMED_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Conjunctions of every kind: what coincides exactly as seen from r must give
 // exactly the value of the simpler scene, and one ulp off a value close by.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Each condition of docs/method.md, section 4, in a scene that goes wrong when
 // the condition is loosened. Expected values are those of simpler scenes.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The engines contour and arrangement, which share no line of visibility, and
 // the sum over angular spans must give the same bits on random soups: lattices
 // (everything coincides), the same with one-ulp noise (everything almost

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The first face along a ray against a search in exact rationals over all
 // triangles, where rays pass through edges, corners, coplanar overlaps and
 // planes seen from the side.

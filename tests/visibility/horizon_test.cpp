@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sources and blockers at the receiver plane.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The public contour: which vertices there are, of which kind, and that arcs
 // and vertices fit together.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "cubature": positive Gauss cubature over spherical triangles (docs/method.md
 // (17) to (19); not in the papers). For unit vectors a, b, c
 //

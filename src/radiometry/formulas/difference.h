@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "difference": Lambert's sum with what cancels taken out (docs/method.md (15)
 // and (16); not in the papers): with unit vectors u, one of them u_0, and
 // d = u - u_0,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Gauss-Legendre rules on [0, 1].
 
 #ifndef TRUELUX_RADIOMETRY_FORMULAS_GAUSS_RULE_H_

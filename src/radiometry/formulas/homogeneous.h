@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "homogeneous": the sum over vertices (x, y, 1) and (x, y, 0). S Figure 11.
 // Corrections: errata 29 (row 2), 30 (C of the finite point) and 31 (row 4
 // without bars, so that the direction of an edge at infinity is unsigned and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "image-plane": the sum over the vertices of the projection to the image
 // plane, with the slopes of its edges. S (8) to (10), which are right as
 // printed but for the constant (erratum 5: M / 2 pi). A term whose slope is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Points of the image plane, the plane at unit distance above the receiver.
 
 #ifndef TRUELUX_RADIOMETRY_FORMULAS_IMAGE_VERTEX_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "lambert-acos": Lambert's sum with the angle of an edge as an arccosine, as
 // most shaders have it. S (2), (3); H (1). Corrections: errata 2 (the angle is
 // to the inward normal), 3 (the constant is M / 2 pi), 8; H (1) is for the

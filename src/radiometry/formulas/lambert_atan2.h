@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "lambert-atan2": Lambert's sum with the angle from its sine and cosine. S
 // (2), (3); H (1), with the same corrections as lambert-acos.
 //

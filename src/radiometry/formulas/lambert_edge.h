@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "lambert-edge": Lambert's sum with N = v x e, e = v' - v: the difference
 // first, so that a short edge keeps all bits. S (2), (3), with the same
 // corrections as lambert-acos.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lambert's sum with N = v x v', whatever gives the angles.
 
 #ifndef TRUELUX_RADIOMETRY_FORMULAS_LAMBERT_SUM_H_

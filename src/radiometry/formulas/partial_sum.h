@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The result of a formula that is not closed.
 
 #ifndef TRUELUX_RADIOMETRY_FORMULAS_PARTIAL_SUM_H_

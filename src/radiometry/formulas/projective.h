@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "projective": the sum over the vertices on the projective plane, with points
 // at infinity for vertices on the horizon. S Figure 10. Corrections: errata 24
 // (the finite point must be finite), 25 (row 3 with the direction of travel is

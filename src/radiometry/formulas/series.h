@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "series": a triangle of small angular size as a series of positive terms
 // (docs/method.md (17), (18); not in the papers). With unit vectors u_k and
 // D_ij = 1 - cos beta_ij,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "sphere": the sum over vertices given by their longitude phi and latitude
 // alpha on the unit sphere, and by the angle chi of their edges with the
 // meridian. S (27), (28) with (17), (18). Corrections: errata 11 (alpha = 0 is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "unified": one term for all vertices, finite or not: docs/method.md (11),
 //
 //   F = (1/2pi) sum H(v, N_in) - H(v, N_out),

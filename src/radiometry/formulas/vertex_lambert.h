@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "vertex-lambert": Lambert's sum in terms of vertices: the angles of each
 // vertex with its two edges. S (12), (13). Corrections: errata 7 and 8 (the
 // constant is M / 2 pi; the edges have indices and need not be unit vectors),

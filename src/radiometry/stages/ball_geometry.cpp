@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "radiometry/stages/ball_geometry.h"
 
 #include "exact/ball_recipe.h"

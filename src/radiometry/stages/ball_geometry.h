@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The planes and directions of a contour as balls, each evaluated once.
 //
 // Letters: r the receiver, n its normal; N the normal of a plane through r, N_k

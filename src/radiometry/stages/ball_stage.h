@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Irradiance in double or double-double, with a proven bound.
 
 #ifndef TRUELUX_RADIOMETRY_STAGES_BALL_STAGE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the arcs of a source add to 2 pi |n| F, as balls: the two closed forms.
 //
 // Letters: n the scaled receiver normal, whose length is divided out at the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From sums per source to sums per channel.
 
 #ifndef TRUELUX_RADIOMETRY_STAGES_CHANNEL_SUMS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What an irradiance is a sum of, with everything that is rational in it
 // exact: the input of the multiprecision stage, whether the terms come from
 // the arcs of a contour or from the spans around vertices.

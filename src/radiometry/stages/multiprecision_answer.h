@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The last stage: growing precision until an irradiance rounds one way.
 
 #ifndef TRUELUX_RADIOMETRY_STAGES_MULTIPRECISION_ANSWER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Irradiance at any precision, from exact data, with a proven bound.
 
 #ifndef TRUELUX_RADIOMETRY_STAGES_MULTIPRECISION_STAGE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From an enclosure of E to the binary64 nearest to E.
 
 #ifndef TRUELUX_RADIOMETRY_STAGES_ROUNDING_H_

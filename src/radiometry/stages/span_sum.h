@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Angular spans -> irradiance: the sum of vertex tracing.
 
 #ifndef TRUELUX_RADIOMETRY_STAGES_SPAN_SUM_H_

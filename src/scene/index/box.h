@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Axis-parallel boxes, alone and four at a time.
 
 #ifndef TRUELUX_SCENE_INDEX_BOX_H_

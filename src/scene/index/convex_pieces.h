@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A scene as convex polygons: what the contour engine works on.
 //
 // A facet whose ring is strictly convex and short is one piece, any other facet

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which boxes a ray can meet, for the triangle tree.
 
 #ifndef TRUELUX_SCENE_INDEX_RAY_BOXES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where a blocker must be to matter: a convex region around receivers and a
 // source.
 //

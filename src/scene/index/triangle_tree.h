@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the triangles of a scene that meet a shaft or a ray, without looking at
 // most of the others.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The corners of an f statement: v, v/vt, v//vn or v/vt/vn.
 
 #ifndef TRUELUX_SCENE_IO_FACE_INDEX_H_

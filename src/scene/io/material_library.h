@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The materials of a scene's MTL files.
 
 #ifndef TRUELUX_SCENE_IO_MATERIAL_LIBRARY_H_

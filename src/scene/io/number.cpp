@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decimal text -> the nearest binary64.
 //
 // std::from_chars rounds correctly, but it accepts inf and nan, refuses '+',

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An OBJ text as arrays, before materials are looked up and polygons checked.
 
 #ifndef TRUELUX_SCENE_IO_OBJ_PARSER_H_

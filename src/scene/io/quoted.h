@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Words of an input in messages about it.
 
 #ifndef TRUELUX_SCENE_IO_QUOTED_H_

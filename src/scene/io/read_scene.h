@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // OBJ and MTL texts -> Scene, wherever the texts come from.
 
 #ifndef TRUELUX_SCENE_IO_READ_SCENE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The line structure that OBJ and MTL share, and the words in a line.
 
 #ifndef TRUELUX_SCENE_IO_STATEMENT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whole text files, with the reason if one cannot be read.
 
 #ifndef TRUELUX_SCENE_IO_TEXT_FILE_H_

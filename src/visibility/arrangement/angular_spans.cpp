@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "visibility/arrangement/angular_spans.h"
 
 #include <algorithm>

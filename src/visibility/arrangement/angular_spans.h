@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a receiver sees around every vertex of its view: the angular spans of
 // vertex tracing (Stark & Riesenfeld 2000, section 3.2), exactly.
 //

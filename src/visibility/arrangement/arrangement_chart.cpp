@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "visibility/arrangement/arrangement_chart.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Four exact projective charts that together show the receiver's hemisphere.
 //
 // The closed hemisphere n.d >= 0 has no bounded chart, so two planes through

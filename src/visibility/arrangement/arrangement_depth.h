@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which of two image triangles is nearer, and along which line they cross.
 
 #ifndef TRUELUX_VISIBILITY_ARRANGEMENT_ARRANGEMENT_DEPTH_H_

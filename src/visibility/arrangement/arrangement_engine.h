@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The twin: the whole view as an exact lower envelope (docs/method.md).
 
 #ifndef TRUELUX_VISIBILITY_ARRANGEMENT_ARRANGEMENT_ENGINE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The only file that sees CGAL's arrangements; it is slow to compile.
 //
 // The edges of all triangles and the lines where two of them meet cut the

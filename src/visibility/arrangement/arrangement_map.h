@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is front-most in one chart, as an exact planar map.
 
 #ifndef TRUELUX_VISIBILITY_ARRANGEMENT_ARRANGEMENT_MAP_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The pieces of facets that a chart shows.
 
 #ifndef TRUELUX_VISIBILITY_ARRANGEMENT_ARRANGEMENT_TYPES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a receiver sees, whole: the exact planar maps of its four charts. Arcs
 // and angular spans are both read from it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of pieces that can hide some of a source (method.md, section 4).
 
 #ifndef TRUELUX_VISIBILITY_EDGES_BLOCKER_PARTS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pointed convex cones with apex r: a piece of the scene as seen from the
 // receiver, or the part of it above the horizon or in front of a source's
 // plane.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The default engine: visible contours by walking edges (docs/method.md).
 
 #ifndef TRUELUX_VISIBILITY_EDGES_CONTOUR_ENGINE_H_

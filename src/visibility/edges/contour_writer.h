@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Arcs in the view geometry's ids -> a Contour, which holds only the planes
 // and directions that its arcs use.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What cones do along one edge: the interval of the edge inside each cone, and
 // on which side. Notation: cone.h; the edge's plane has the normal N.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sides of directions to the planes of one cone, each asked for once.
 
 #ifndef TRUELUX_VISIBILITY_EDGES_DIRECTION_SIDES_H_

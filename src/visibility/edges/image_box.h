@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Conservative boxes in a source's plane: cones whose boxes are apart share no
 // direction. (Boxes only save time; nothing depends on how tight they are.)
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Intervals of an edge from which covers are taken away.
 
 #ifndef TRUELUX_VISIBILITY_EDGES_OPEN_RANGE_H_

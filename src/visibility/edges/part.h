@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A cone whose edges are candidates for arcs.
 
 #ifndef TRUELUX_VISIBILITY_EDGES_PART_H_

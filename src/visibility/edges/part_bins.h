@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which boxes may meet a given one: bins along both axes, a bit per box.
 
 #ifndef TRUELUX_VISIBILITY_EDGES_PART_BINS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "visibility/edges/source_cones.h"
 
 #include <cassert>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One source seen from one receiver: the cones that it consists of (method.md,
 // section 4).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The visible contour of one source from one receiver (method.md, section 4).
 //
 // Notation, besides that of cone.h:

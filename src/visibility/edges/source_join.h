@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Arcs between two sources of the same emission add nothing: what one sees of
 // them ends where what the other sees begins.
 

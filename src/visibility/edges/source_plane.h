@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The plane of one source: where directions from r meet it, and on which side
 // of it vertices are.
 

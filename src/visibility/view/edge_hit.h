@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An edge that meets a direction.
 
 #ifndef TRUELUX_VISIBILITY_VIEW_EDGE_HIT_H_

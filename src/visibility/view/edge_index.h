@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The edges of a view by the triangles that have them, and which of them could
 // bound what is visible of a source. For looking at a view or a contour, not
 // for finding it: plain, and exact throughout.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // All edges that coincide in one direction, seen or hidden.
 
 #ifndef TRUELUX_VISIBILITY_VIEW_EDGES_AT_H_

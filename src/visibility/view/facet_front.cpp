@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "visibility/view/facet_front.h"
 
 #include <array>

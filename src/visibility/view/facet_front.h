@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What lies in front of the plane of a facet: on the receiver's side of it.
 
 #ifndef TRUELUX_VISIBILITY_VIEW_FACET_FRONT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The maps of a receiver's four charts as one view, without the charts' cuts.
 
 #ifndef TRUELUX_VISIBILITY_VIEW_GLUED_VIEW_H_

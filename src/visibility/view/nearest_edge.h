@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The edge that all but passes through a direction.
 
 #ifndef TRUELUX_VISIBILITY_VIEW_NEAREST_EDGE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The triangles whose edges count in a view.
 
 #ifndef TRUELUX_VISIBILITY_VIEW_RELEVANT_TRIANGLES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Angles between directions, in binary64: to say how near something is, and to
 // leave out what is far away.
 

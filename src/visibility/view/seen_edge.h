@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An edge of a view, by where it comes from.
 
 #ifndef TRUELUX_VISIBILITY_VIEW_SEEN_EDGE_H_

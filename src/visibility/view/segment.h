@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Segments of the scene as seen from r, and where a direction lies on one.
 
 #ifndef TRUELUX_VISIBILITY_VIEW_SEGMENT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // On which side of a triangle's plane a point is: from intervals, or, where
 // they do not know, from exact numbers.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Everything that a receiver sees, as plain data: regions of the hemisphere,
 // the arcs between them, and the vertices where arcs meet.
 //

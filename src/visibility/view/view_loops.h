@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The borders of regions, arc after arc.
 
 #ifndef TRUELUX_VISIBILITY_VIEW_VIEW_LOOPS_H_

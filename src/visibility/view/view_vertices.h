@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the vertices of a whole view are.
 
 #ifndef TRUELUX_VISIBILITY_VIEW_VIEW_VERTICES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The whole view of a receiver, found by the arrangement engine.
 
 #ifndef TRUELUX_VISIBILITY_VIEW_WHOLE_VIEW_H_

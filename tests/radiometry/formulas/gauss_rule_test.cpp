@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Gauss-Legendre rules: exact for polynomials up to degree 2 n - 1, and for no
 // more.
 

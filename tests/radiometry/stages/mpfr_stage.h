@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A twin of MultiprecisionStage that shares no arithmetic with it: plain MPFR,
 // with a bound that was derived by hand.
 

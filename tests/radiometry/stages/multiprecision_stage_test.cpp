@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The last stage beside its twin in plain MPFR: both enclose the same number.
 
 #include "radiometry/stages/multiprecision_stage.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The last step: ties, subnormal results, overflow, zeros, and which stage
 // answers.
 

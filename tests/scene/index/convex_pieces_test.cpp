@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes as convex pieces: which facets become one, and which edges are one.
 
 #include "scene/index/convex_pieces.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether a triangle meets the hull of a receiver and a source, with exact
 // numbers and no geometry but the separating axes.
 

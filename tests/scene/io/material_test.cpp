@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // MTL files: what emits, and what is wrong with them.
 
 #include <ostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ParseNumber against MPFR, which rounds any decimal text correctly.
 
 #include <bit>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every defect of an OBJ text is one line: file:line: error: what, expected.
 
 #include <ostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files: what is found where, and what cannot be read.
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The span lists of views that can be drawn by hand, and what every span list
 // has to be.
 

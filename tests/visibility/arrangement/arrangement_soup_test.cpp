@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Random scenes with small integer coordinates, where shared corners, touching
 // faces, coplanar overlaps and receivers in special position are common: the
 // contour must say the same as exact ray casting.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sources and blockers of many corners, concave and convex, which the contour
 // engine cuts into convex pieces: the same bits from the engine without
 // pieces, and from the same faces cut into triangles.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Boxes in a source's plane contain what they stand for, and bins lose none.
 
 #include "visibility/edges/image_box.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Arcs between emitting faces that share an edge and emit the same are left
 // out, and nothing else: values stay those of the slow twin.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes made by hand, each for one step of the contour engine that leaves
 // something out: the values are those of its slow twin, which does not.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The contour engine leaves out and cuts short what cannot matter; its slow
 // twin does not. Both must give the same bits, on soups in general position,
 // on lattices (everything coincides), and on lattices one ulp off.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Many receivers in one call, one by one, and in another order: the same bits.
 // And what a receiver costs depends on what lies between it and the sources,
 // not on the size of the scene.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The edges through directions of random scenes, against their slow twin: on
 // lattices (everything coincides), with shared vertices and edges, the same
 // with one-ulp noise (everything almost coincides), and in general position.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The whole view on every case: its regions tile the hemisphere, they fit
 // together around every vertex, and what they say of sources is what the
 // visible contour says.

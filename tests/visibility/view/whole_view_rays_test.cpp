@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The whole view's slow twin: along a random direction, the region that holds
 // it shows the face that exact ray casting meets first.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The whole view of scenes whose view is known.
 
 #include "visibility/view/whole_view.h"

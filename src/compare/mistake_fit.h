@@ -18,8 +18,8 @@ namespace truelux {
 /// The distance of a candidate's value from the truth is measured by the
 /// larger of truth and prediction, in absolute value (where both are 0, by the
 /// largest truth of its channel); that from the prediction by the prediction,
-/// or by 1e-9 of the former if that is more: what is no darkness does not count
-/// as such. For a constant factor either is measured by itself. The loss of a
+/// or by 1e-9 of the former if that is more: values at or above the threshold
+/// are not counted as dark. For a constant factor either is measured by itself. The loss of a
 /// value is the square of its distance, at most 1.
 ///
 /// A value is disputed if prediction and truth differ by more than the

@@ -24,8 +24,8 @@ struct Leavable {
   bool emits = false;
 };
 
-/// Every group with faces, and every object with several such groups. What
-/// holds the whole scene is no choice.
+/// Every group with faces, and every object with several such groups. A group
+/// that contains every face cannot be left out on its own.
 std::vector<Leavable> LeavablesOf(const Scene& scene) {
   const auto names = scene.group_names();
   std::map<std::string, std::vector<int>> groups_of_objects;

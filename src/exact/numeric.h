@@ -148,7 +148,7 @@ inline T RootOfNonNegative(const T& x) {
   return IsNegative(x) || IsZero(x) ? Make<T>(0) : Sqrt(x);
 }
 
-/// |v|. Of a Ball also where it may be 0.
+/// Euclidean length. The Ball overload also accepts vectors that may be zero.
 template <class T>
 inline T Length(const Vec3<T>& v) {
   return RootOfNonNegative(Dot(v, v));
@@ -170,8 +170,8 @@ inline Vec3<T> Unit(const Vec3<T>& v) {
   return {v.x / length, v.y / length, v.z / length};
 }
 
-/// x / y where |x| <= y: 0 if y is 0. A Ball that does not know better is
-/// [-1, 1].
+/// x / y where |x| <= y: 0 if y is 0. If the quotient of two Balls is too wide,
+/// the result is the trivial enclosure [-1, 1].
 template <class T>
 inline T Fraction(const T& x, const T& y) {
   if (IsZero(y)) return Make<T>(0);

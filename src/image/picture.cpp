@@ -73,7 +73,7 @@ void DrawIsolux(Raster<Rgba8>& picture, const Raster<double>& values,
   constexpr double kLight = 0.6;
   constexpr Rgba8 kWhiteLine = {255, 255, 255, 255};
   constexpr Rgba8 kBlackLine = {0, 0, 0, 255};
-  // At 0 there is no line: nothing is below.
+  // Level 0 is skipped: no pixel is darker than 0.
   const auto levels = std::span(scale.ticks()).subspan(1);
   const Raster<std::uint8_t> lines = IsoluxLines(values, levels);
   for (std::size_t i = 0; i < picture.pixels().size(); ++i) {

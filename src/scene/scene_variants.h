@@ -42,11 +42,11 @@ class SceneVariants {
 [[nodiscard]] Scene WithoutFaces(const Scene& scene,
                                  std::span<const int> faces);
 
-/// Some faces do not emit, but block as ever.
+/// Some faces do not emit. They still block.
 [[nodiscard]] Scene WithBlackFaces(const Scene& scene,
                                    std::span<const int> faces);
 
-/// Only one face emits; all block as ever. face: index into Scene::faces().
+/// Only one face emits. All faces still block. face: index into Scene::faces().
 [[nodiscard]] Scene WithOneEmitter(const Scene& scene, int face);
 
 }  // namespace truelux

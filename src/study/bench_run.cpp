@@ -52,7 +52,8 @@ class Entry {
     result_.group = method.group;
     result_.note = method.note;
     result_.values.resize(all.size());
-    // Who has so few receivers is slow, and Ctrl-C must not have to wait.
+    // A method that is limited to few receivers is slow. It runs one receiver
+    // at a time, so Ctrl-C takes effect quickly.
     if (method.max_receivers != 0) block_size_ = 1;
     indices_ = EvenlyPicked(all.size(), most);
     for (const std::size_t i : indices_)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // "directions": the same sum with the directions of edges instead of slopes,
-// so that vertical edges are none to be left out. S (44), (45). Corrections:
-// errata 19, 20 and 21.
+// so vertical edges need no special treatment. S (44), (45). Corrections: errata
+// 19, 20 and 21.
 //
 // Bounded regions only, as with image-plane. Error: u / size^2, and
 // u / elevation near the horizon.

@@ -163,7 +163,7 @@ Result<Scene> BuildScene(const ObjContents& obj, const LibraryLoader& loader,
   AddFaces(obj, ResolveMaterials(obj.materials, loader, diagnostics), builder);
   Result<Scene> result = builder.Build();
   for (Diagnostic& d : result.diagnostics) {
-    // Where every face is defective, "no faces" is no news.
+    // If every face was rejected, the scene is not also reported as empty.
     const bool is_empty = result.ok() && result.value->faces().empty();
     if (is_empty && !obj.faces.empty()) break;
     diagnostics.Add(std::move(d));

@@ -28,7 +28,8 @@ class NearestEdge {
   /// nearest one; nothing if there is none. That a segment misses d is exact;
   /// the angle is good to a few digits. A segment that passes through d only
   /// behind the source's plane counts as a miss, by the angle to its ends. A
-  /// segment that misses by an angle that is 0 in binary64 is passed over.
+  /// segment that misses by less than 1e-15, the rounding of directions of
+  /// length 1, may be passed over.
   [[nodiscard]] std::optional<EdgeMiss> To(const Vec3<Exact>& d) const;
 
  private:

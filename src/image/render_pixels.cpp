@@ -54,7 +54,7 @@ class Renderer {
     result_.image.covered = Raster<std::uint8_t>(w, h, 0);
     if (wishes.bounds) result_.bounds = Raster<Rgb>(w, h);
     if (wishes.differences) {
-      other_.emplace(oracle.scene(), OtherMethod(oracle.options()));
+      other_.emplace(oracle.prepared(), OtherMethod(oracle.options()));
       result_.differences = Raster<Rgb>(w, h);
     }
     if (wishes.arcs) result_.arcs = Raster<std::int32_t>(w, h, 0);

@@ -17,19 +17,15 @@ std::string PngImage(const Raster<Rgba8>& picture) {
   image.width = static_cast<png_uint_32>(picture.width());
   image.height = static_cast<png_uint_32>(picture.height());
   image.format = PNG_FORMAT_RGBA;
-  const void* pixels = picture.pixels().data();
-  png_alloc_size_t size = 0;
-  std::string bytes;
-  // Compresses twice: the first time only to learn the size.
-  if (png_image_write_get_memory_size(image, size, 0, pixels, 0, nullptr) !=
-      0) {
-    bytes.resize(size);
-    if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels, 0,
-                                  nullptr) != 0) {
-      return bytes;
-    }
+  // The library knows a bound on the size, so that it compresses once.
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0,
+                                picture.pixels().data(), 0, nullptr) == 0) {
+    throw std::runtime_error(std::string("PNG: ") + image.message);
   }
-  throw std::runtime_error(std::string("PNG: ") + image.message);
+  bytes.resize(size);
+  return bytes;
 }
 
 }  // namespace truelux

@@ -67,7 +67,7 @@ AngularSpans AngularSpansOf(const ContourQuery& query) {
   return AngularSpansOf(facets, ChartViewsOf(query, facets));
 }
 
-AngularSpans AngularSpansOf(IdSpan<FacetId, const FacetView> facets,
+AngularSpans AngularSpansOf(FacetViews facets,
                             std::span<const ChartView> charts) {
   AngularSpans result;
   result.statistics.sources = static_cast<std::uint64_t>(

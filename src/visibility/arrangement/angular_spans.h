@@ -57,7 +57,7 @@ AngularSpans AngularSpansOf(const ContourQuery& query);
 
 /// The same from a map that is there already: facets are FacetViewsOf the
 /// query, charts are ChartViewsOf it.
-AngularSpans AngularSpansOf(IdSpan<FacetId, const FacetView> facets,
+AngularSpans AngularSpansOf(FacetViews facets,
                             std::span<const ChartView> charts);
 
 }  // namespace truelux

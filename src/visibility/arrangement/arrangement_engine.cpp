@@ -128,8 +128,7 @@ Contour ContourByArrangement(const ContourQuery& query) {
   return ContourByArrangement(query, facets, ChartViewsOf(query, facets));
 }
 
-Contour ContourByArrangement(const ContourQuery& query,
-                             IdSpan<FacetId, const FacetView> facets,
+Contour ContourByArrangement(const ContourQuery& query, FacetViews facets,
                              std::span<const ChartView> charts) {
   ContourBuilder builder(query, facets);
   for (const ChartView& view : charts)

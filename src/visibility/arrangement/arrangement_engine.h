@@ -17,8 +17,7 @@ Contour ContourByArrangement(const ContourQuery& query);
 
 /// The same from a map that is there already: facets are FacetViewsOf the
 /// query, charts are ChartViewsOf it.
-Contour ContourByArrangement(const ContourQuery& query,
-                             IdSpan<FacetId, const FacetView> facets,
+Contour ContourByArrangement(const ContourQuery& query, FacetViews facets,
                              std::span<const ChartView> charts);
 
 }  // namespace truelux

@@ -46,8 +46,7 @@ ArcsAround ArcsAroundVertices(const GluedView& view) {
   return around;
 }
 
-ViewVertices::ViewVertices(const ContourQuery& query,
-                           IdSpan<FacetId, const FacetView> views,
+ViewVertices::ViewVertices(const ContourQuery& query, FacetViews views,
                            const EdgeIndex& edges)
     : query_(query), views_(views), edges_(edges), exact_(ViewOf(query)) {
   for (int v = 0; v < static_cast<int>(query.scene.vertices().size()); ++v) {

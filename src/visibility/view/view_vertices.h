@@ -25,8 +25,8 @@ ArcsAround ArcsAroundVertices(const GluedView& view);
 class ViewVertices {
  public:
   /// The arguments must outlive the object.
-  ViewVertices(const ContourQuery& query,
-               IdSpan<FacetId, const FacetView> views, const EdgeIndex& edges);
+  ViewVertices(const ContourQuery& query, FacetViews views,
+               const EdgeIndex& edges);
 
   /// Joins two arcs where nothing but they meet, one goes on as the other, and
   /// no scene vertex is there that could show. An arc of the horizon may become
@@ -51,7 +51,7 @@ class ViewVertices {
                                             bool bounds_source) const;
 
   const ContourQuery& query_;
-  IdSpan<FacetId, const FacetView> views_;
+  FacetViews views_;
   const EdgeIndex& edges_;
   RecipeEvaluator<Exact> exact_;
   std::set<PrimitiveVector> scene_vertices_;  ///< the directions to them

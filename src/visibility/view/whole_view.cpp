@@ -25,9 +25,8 @@ std::size_t Index(int i) {
 /// Puts the public view together.
 class ViewAssembly {
  public:
-  ViewAssembly(const ContourQuery& query,
-               IdSpan<FacetId, const FacetView> views, const GluedView& glued,
-               const EdgeIndex& edges)
+  ViewAssembly(const ContourQuery& query, FacetViews views,
+               const GluedView& glued, const EdgeIndex& edges)
       : query_(query),
         views_(views),
         glued_(glued),
@@ -163,7 +162,7 @@ class ViewAssembly {
   }
 
   const ContourQuery& query_;
-  IdSpan<FacetId, const FacetView> views_;
+  FacetViews views_;
   const GluedView& glued_;
   const EdgeIndex& edges_;
   RecipeEvaluator<Exact> exact_;

@@ -47,7 +47,7 @@ Ball<T> BallOf(const Exact& x, long exponent) {
 
 template <class T>
 ScaledVector<T> ScaleToUnit(const Vec3<Exact>& v) {
-  assert(!v.x.is_zero() || !v.y.is_zero() || !v.z.is_zero());
+  assert(!IsZero(v));
   Multiprecision x = Rounded(v.x);
   Multiprecision y = Rounded(v.y);
   Multiprecision z = Rounded(v.z);

@@ -44,6 +44,12 @@ NT Determinant(const Vec3<NT>& a, const Vec3<NT>& b, const Vec3<NT>& c) {
   return Dot(Cross(a, b), c);
 }
 
+/// Whether a vector of exact numbers is (0, 0, 0).
+template <class NT>
+bool IsZero(const Vec3<NT>& v) {
+  return v.x.is_zero() && v.y.is_zero() && v.z.is_zero();
+}
+
 }  // namespace truelux
 
 #endif  // TRUELUX_EXACT_VEC3_H_

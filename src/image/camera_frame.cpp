@@ -14,10 +14,6 @@
 namespace truelux {
 namespace {
 
-bool IsZero(const Vec3<Exact>& v) {
-  return SignOf(Dot(v, v)) == Sign::kZero;
-}
-
 /// Of length 1 up to rounding. v: not zero.
 Vector3 UnitOf(const Vec3<Exact>& v) {
   // Of largest component 1, whatever the size of v.

@@ -20,9 +20,8 @@ bool IsParallel(const WeightedContour& contour, const PlaneRecipe& plane) {
       Cross(rounded.ReceiverNormal(), rounded.Plane(plane, explicit_vectors));
   if (!MayBeZero(w.x) || !MayBeZero(w.y) || !MayBeZero(w.z)) return false;
   const RecipeEvaluator<Exact> exact(contour.view);
-  const Vec3<Exact> z =
-      Cross(exact.ReceiverNormal(), exact.Plane(plane, explicit_vectors));
-  return z.x.is_zero() && z.y.is_zero() && z.z.is_zero();
+  return IsZero(
+      Cross(exact.ReceiverNormal(), exact.Plane(plane, explicit_vectors)));
 }
 
 }  // namespace

@@ -22,10 +22,6 @@ FacetId EmitterOf(const AngularSpan& span) {
   return span.is_source ? span.facet : FacetId();
 }
 
-bool IsZero(const Vec3<Exact>& v) {
-  return v.x.is_zero() && v.y.is_zero() && v.z.is_zero();
-}
-
 /// Adds up equation (9), vertex by vertex, in any order.
 class SpanSum {
  public:

@@ -109,9 +109,7 @@ class ContourBuilder {
       if (nearer == Sign::kPositive) return NumberOfFaceOf(source);
       if (nearer == Sign::kNegative) return NumberOfFaceOf(neighbour);
     }
-    const Vec3<Exact> line = Cross(own.normal, other.normal);
-    const bool coplanar =
-        line.x.is_zero() && line.y.is_zero() && line.z.is_zero();
+    const bool coplanar = IsZero(Cross(own.normal, other.normal));
     return NumberOfFaceOf(coplanar ? std::min(source, neighbour) : neighbour);
   }
 

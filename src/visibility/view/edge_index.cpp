@@ -192,8 +192,7 @@ Vec3<Exact> EdgeIndex::MeetingPlane(int facet, int other) const {
   const auto facets = FacetsOf(query_.scene);
   const TriangleId t = FirstTriangleOf(facets[FacetId(facet)]);
   const TriangleId u = FirstTriangleOf(facets[FacetId(other)]);
-  return exact_.Height(u) * exact_.TriangleNormal(t) -
-         exact_.Height(t) * exact_.TriangleNormal(u);
+  return exact_.Plane(PlaneRecipe::OfCut(t, u), {});
 }
 
 }  // namespace truelux

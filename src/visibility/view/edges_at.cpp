@@ -14,10 +14,6 @@ std::size_t Index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-bool IsZero(const Vec3<Exact>& v) {
-  return v.x.is_zero() && v.y.is_zero() && v.z.is_zero();
-}
-
 /// Not under RoundUpward: an exact number below the range of binary64 would get
 /// an interval that does not hold it.
 Vec3<Interval> RoughOf(const Vec3<Exact>& v) {

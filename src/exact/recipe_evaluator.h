@@ -32,7 +32,13 @@ struct FromExact<Exact> {
 
 template <>
 struct FromExact<Interval> {
-  static Interval Of(const Exact& x) { return Interval(x.to_interval()); }
+  /// In any rounding mode. Mpzf::to_interval scales by std::ldexp(1, e), which
+  /// under RoundUpward is the least subnormal number where it should be 0, and
+  /// the interval then misses numbers below the range of binary64.
+  static Interval Of(const Exact& x) {
+    const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+    return Interval(x.to_interval());
+  }
 };
 
 /// The planes that DirectionRecipe::Kind::kCrossing refers to.

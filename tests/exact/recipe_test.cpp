@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact/recipe.h"
 
+#include <cmath>
 #include <type_traits>
 
 #include <gtest/gtest.h>
+
+#include "exact/recipe_evaluator.h"
 
 namespace truelux {
 namespace {
@@ -93,6 +96,33 @@ TEST(PlaneRecipesDeathTest, HaveNoPartsOfAnotherKind) {
   EXPECT_DEATH(static_cast<void>(edge.first_triangle()), "kCut");
 }
 #endif
+
+// CGAL's own conversion loses them under upward rounding.
+TEST(FromExactToInterval, HoldsTheNumberInEveryRoundingMode) {
+  const Exact least(0x1p-1074);
+  const Exact tiny = least * least * Exact(3);
+  const Exact huge = Exact(0x1p1023) * Exact(0x1p1023);
+  for (const Exact& x :
+       {tiny, -tiny, least * Exact(5), Exact(0.1), huge, -huge, Exact(0)}) {
+    const Interval plain = FromExact<Interval>::Of(x);
+    const RoundUpward rounding;
+    const Interval upward = FromExact<Interval>::Of(x);
+    for (const Interval& interval : {plain, upward}) {
+      if (std::isfinite(interval.inf())) {
+        EXPECT_LE(Exact(interval.inf()), x);
+      } else {
+        EXPECT_LT(interval.inf(), 0);
+      }
+      if (std::isfinite(interval.sup())) {
+        EXPECT_GE(Exact(interval.sup()), x);
+      } else {
+        EXPECT_GT(interval.sup(), 0);
+      }
+    }
+    EXPECT_EQ(upward.inf(), plain.inf());
+    EXPECT_EQ(upward.sup(), plain.sup());
+  }
+}
 
 }  // namespace
 }  // namespace truelux

@@ -14,8 +14,6 @@ std::size_t Index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Not under RoundUpward: an exact number below the range of binary64 would get
-/// an interval that does not hold it.
 Vec3<Interval> RoughOf(const Vec3<Exact>& v) {
   return {FromExact<Interval>::Of(v.x), FromExact<Interval>::Of(v.y),
           FromExact<Interval>::Of(v.z)};

@@ -15,10 +15,6 @@ namespace truelux {
 
 struct EvaluationWorkspace;
 
-/// Whether a bound of Method::kDouble is so large beside its value that it is
-/// worth choosing another formula for each source.
-bool HasWideBound(const Irradiance& result);
-
 /// What a facet's light is weighted with, as a source of this query: the
 /// emission of its face, or 1 if query.only_source is set.
 Rgb WeightOf(const ContourQuery& query, FacetId facet);

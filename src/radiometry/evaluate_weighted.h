@@ -13,6 +13,10 @@ namespace truelux {
 
 struct EvaluationWorkspace;
 
+/// Whether a bound of Method::kDouble is so large beside its value that it is
+/// worth choosing another formula for each source.
+bool HasWideBound(const Irradiance& result);
+
 /// evaluate.h, on an input that needs no scene. Of the workspace, `weights`
 /// is not used.
 Irradiance EvaluateWeighted(const WeightedContour& contour,

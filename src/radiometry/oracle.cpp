@@ -14,6 +14,7 @@
 
 #include "base/receiver_block.h"
 #include "radiometry/evaluate.h"
+#include "radiometry/evaluate_weighted.h"
 #include "radiometry/form_factors.h"
 #include "radiometry/formula_sum.h"
 #include "radiometry/prepared_scene.h"

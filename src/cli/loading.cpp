@@ -13,6 +13,7 @@
 #include "scene/diagnostic_list.h"
 #include "scene/emitters.h"
 #include "scene/io/read_scene.h"
+#include "text/read_rows.h"
 #include "text/receivers.h"
 
 namespace truelux {
@@ -32,20 +33,9 @@ void NoteDarkness(const Scene& scene, const std::string& name) {
 void ReadTable(ByteSource& source, const std::string& name, int face_count,
                const std::function<void(const Receiver&)>& take) {
   ReceiverReader reader(source, name, face_count);
-  DiagnosticList all_defects(name);
-  std::vector<Diagnostic> defects;
-  auto status = reader.ReadHeader(defects) ? ReceiverReader::Status::kRow
-                                           : ReceiverReader::Status::kEnd;
-  ReceiverRow row;
-  for (;;) {
-    for (Diagnostic& defect : defects)
-      all_defects.Add(std::move(defect));
-    defects.clear();
-    if (status == ReceiverReader::Status::kEnd) break;
-    status = reader.Next(row, defects);
-    if (status == ReceiverReader::Status::kRow) take(row.receiver);
-  }
-  if (all_defects.has_errors()) throw UserError(all_defects.Sorted());
+  const DiagnosticList defects = ReadRows<ReceiverRow>(
+      reader, name, [&take](const ReceiverRow& row) { take(row.receiver); });
+  if (defects.has_errors()) throw UserError(defects.Sorted());
 }
 
 }  // namespace

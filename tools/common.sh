@@ -51,9 +51,9 @@ is_configured() {
     "$(cache_value CMAKE_HOME_DIRECTORY)" == "$root" ]]
 }
 
-# A file takes about two seconds of one core.
+# A file takes about three seconds of one core (docs/performance.md).
 say_how_long() {
-  local minutes=$((($1 * 2 / $(cores) + 59) / 60))
+  local minutes=$((($1 * 3 / $(cores) + 59) / 60))
   say "Building $1 files on $(cores) cores: about $minutes min."
 }
 

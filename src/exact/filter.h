@@ -104,10 +104,9 @@ inline FilteredDirection FilteredDifference(const Point3& a, const Point3& b) {
   return d;
 }
 
-/// a x e. A component is the difference of
-/// two products. Let m = max|a~| max|e~|. A product errs by
-/// |a~||de| + |e~||da| + |da||de| + u m, and rounding the difference adds
-/// 2 u m (1 + u). Requires RoundUpward.
+/// a x e. A component is the difference of two products. Let
+/// m = max|a~| max|e~|. A product errs by |a~||de| + |e~||da| + |da||de| + u m,
+/// and rounding the difference adds 2 u m (1 + u). Requires RoundUpward.
 inline ApproxVector FilteredCross(const FilteredDirection& a,
                                   const FilteredDirection& e) {
   assert(IsRoundingUpward());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radiometry/stages/multiprecision_stage.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -132,6 +133,13 @@ ExactSum ExactSumOf(const WeightedContour& contour,
     sum.groups.push_back(std::move(group));
   }
   return sum;
+}
+
+MultiprecisionStage::MultiprecisionStage(ExactSum sum, Emission emission)
+    : sum_(std::move(sum)), emission_(emission) {
+  assert(std::ranges::any_of(sum_.groups, [](const WeightedTerms& group) {
+    return !group.terms.empty();
+  }));
 }
 
 MultiprecisionStage::MultiprecisionStage(const WeightedContour& contour,

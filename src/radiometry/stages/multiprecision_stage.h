@@ -5,7 +5,6 @@
 #define TRUELUX_RADIOMETRY_STAGES_MULTIPRECISION_STAGE_H_
 
 #include <array>
-#include <utility>
 #include <vector>
 
 #include "exact/multiprecision.h"
@@ -36,8 +35,7 @@ struct Enclosure {
 class MultiprecisionStage {
  public:
   /// Requires at least one term.
-  MultiprecisionStage(ExactSum sum, Emission emission)
-      : sum_(std::move(sum)), emission_(emission) {}
+  MultiprecisionStage(ExactSum sum, Emission emission);
 
   /// The sum over the arcs of a contour, or over their ends. Requires at least
   /// one lit source.

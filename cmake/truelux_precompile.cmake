@@ -1,11 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# exact/number.h brings CGAL's number types, which take most of the time of a
-# file that includes them: 6 s, and 2.5 s where the header is precompiled. Files
-# without it would lose 1 s each by loading it (docs/performance.md, section
-# "Building"), so a file gets it only if its #include lines lead there.
+# Two headers are precompiled (docs/performance.md, section "Building"):
+#
+# number  exact/number.h brings CGAL's number types, which take most of the time
+#         of a file that includes them: 6 s, and 2.5 s where it is precompiled.
+#         A file gets it only if its #include lines lead there.
+# plain   the standard headers that most of the other files include, which save
+#         them 0.5 to 0.7 s each.
 #
 # Off, every file must include what it uses, so the preset dev has it off.
-option(TRUELUX_PRECOMPILE "Precompile the header of CGAL's number types" ON)
+option(TRUELUX_PRECOMPILE "Precompile headers that many files include" ON)
+if(TRUELUX_PRECOMPILE)  # GCC 12 then invents bounds in std::string
+  target_compile_options(truelux_flags INTERFACE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-stringop-overflow>)
+endif()
+
+set(truelux_plain_headers
+  <algorithm> <array> <cmath> <cstdint> <functional> <limits> <memory>
+  <optional> <span> <sstream> <string> <string_view> <utility> <variant>
+  <vector>)
 
 # truelux_leads_to_number(VARIABLE FILE): whether the #include "..." lines of a
 # file of src/ or tests/, or of what they name, reach exact/number.h.
@@ -36,29 +48,35 @@ function(truelux_leads_to_number variable file)
   set(${variable} ${known} PARENT_SCOPE)
 endfunction()
 
-# truelux_precompile(TARGET OWNER SOURCE...): gives those of the target's sources
-# that need it the header that the target OWNER precompiles. Both targets must
-# have the same flags and definitions.
-function(truelux_precompile target owner)
-  if(NOT TRUELUX_PRECOMPILE)
-    return()
-  endif()
-  set(any FALSE)
+# truelux_part_sources(NUMBER PLAIN SOURCE...): sets two variables to those of
+# the sources that lead to exact/number.h and to the others.
+function(truelux_part_sources number plain)
+  set(leading "")
+  set(others "")
   list(FILTER ARGN INCLUDE REGEX "\\.cpp$")  # object files have no source here
   foreach(source IN LISTS ARGN)
     get_filename_component(path ${source} ABSOLUTE)
     truelux_leads_to_number(leads ${path})
     if(leads)
-      set(any TRUE)
+      list(APPEND leading ${source})
     else()
-      set_source_files_properties(${source} PROPERTIES
-        SKIP_PRECOMPILE_HEADERS ON)
+      list(APPEND others ${source})
     endif()
   endforeach()
+  set(${number} "${leading}" PARENT_SCOPE)
+  set(${plain} "${others}" PARENT_SCOPE)
+endfunction()
+
+# truelux_precompile(TARGET OWNER [HEADER...]): the target shares what the target
+# OWNER precompiles. Both must have the same flags. The owner itself names the
+# headers.
+function(truelux_precompile target owner)
+  if(NOT TRUELUX_PRECOMPILE)
+    return()
+  endif()
   if(target STREQUAL owner)
-    target_precompile_headers(${target} PRIVATE
-      ${PROJECT_SOURCE_DIR}/src/exact/number.h)
-  elseif(any)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  else()
     target_precompile_headers(${target} REUSE_FROM ${owner})
   endif()
 endfunction()

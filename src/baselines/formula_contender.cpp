@@ -38,7 +38,8 @@ void FindContours(State& state, std::span<const Receiver> receivers,
   state.builder.StartBlock(receivers);
   seen.reserve(receivers.size());
   for (const Receiver& receiver : receivers) {
-    SeenSources& next = seen.emplace_back(ContourQuery{scene, receiver});
+    SeenSources& next = seen.emplace_back();
+    next.query = {scene, receiver};
     state.builder.Build(next.query, next.contour);
     FindWeights(next.query, next.contour, next.weights);
   }

@@ -27,8 +27,8 @@ class List {
  public:
   /// loop: (CaseRandom&) -> Loop.
   template <class Function>
-  void AddLoops(std::string name, Function loop) {
-    Add(std::move(name), false, [loop](CaseRandom& random) {
+  void AddLoops(const std::string& name, Function loop) {
+    Add(name, false, [loop](CaseRandom& random) {
       return RegimeCase{{}, kUp, loop(random)};
     });
   }

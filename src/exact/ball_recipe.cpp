@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "exact/exact_conversion.h"
 #include "exact/multiprecision.h"
 
 namespace truelux {
@@ -16,7 +17,7 @@ namespace {
 constexpr mpfr_prec_t kConversionBits = 128;
 
 Multiprecision Rounded(const Exact& x) {
-  return {kConversionBits, x};
+  return MultiprecisionOf(kConversionBits, x);
 }
 
 /// The error of a conversion is at most u |x| (u^2 |x| for double-double,

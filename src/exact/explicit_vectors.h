@@ -9,7 +9,7 @@
 
 #include "base/id_vector.h"
 
-namespace CGAL {
+namespace CGAL {  // NOLINT(readability-identifier-naming)
 struct Mpzf;
 }  // namespace CGAL
 

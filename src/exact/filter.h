@@ -16,10 +16,8 @@
 
 #include "truelux/geometry.h"
 
-#include "exact/number.h"
 #include "exact/rounding.h"
 #include "exact/sign.h"
-#include "exact/vec3.h"
 
 namespace truelux {
 
@@ -67,22 +65,6 @@ struct ApproxVector {
   double z = 0;
   double error = 0;
 };
-
-/// Midpoint and radius of an interval vector. Requires RoundUpward.
-inline ApproxVector Approximate(const Vec3<Interval>& v) {
-  assert(IsRoundingUpward());
-  ApproxVector a;
-  const auto midpoint = [&a](const Interval& c) {
-    const double m = c.inf() + (c.sup() - c.inf()) * 0.5;
-    a.error = std::max({a.error, c.sup() - m, m - c.inf()});
-    if (!std::isfinite(m)) a.error = HUGE_VAL;  // max drops a NaN
-    return m;
-  };
-  a.x = midpoint(v.x);
-  a.y = midpoint(v.y);
-  a.z = midpoint(v.z);
-  return a;
-}
 
 /// A direction, ready for FilteredDot.
 struct FilteredDirection {

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include <CGAL/Gmpq.h>
-
 namespace truelux {
 namespace {
 
@@ -38,15 +36,6 @@ Multiprecision::Multiprecision(mpfr_prec_t precision) {
   OwnCacheOfThisThread();
   mpfr_init2(number_, precision);
   mpfr_set_zero(number_, 1);
-}
-
-Multiprecision::Multiprecision(mpfr_prec_t precision, const Exact& x)
-    : Multiprecision(precision) {
-  // The denominator of a dyadic number is 2^k: one rounding, no division.
-  const CGAL::Gmpq quotient(x);
-  const auto bits = mpz_sizeinbase(mpq_denref(quotient.mpq()), 2);
-  mpfr_set_z_2exp(number_, mpq_numref(quotient.mpq()),
-                  1 - static_cast<mpfr_exp_t>(bits), MPFR_RNDN);
 }
 
 Multiprecision::Multiprecision(mpfr_prec_t precision, double x)

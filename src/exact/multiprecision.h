@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MPFR numbers as values, and the way from exact numbers to them.
+// MPFR numbers as values.
 //
 // All functions round to nearest. Those that are given a destination take the
 // precision of the result from it, operators from the operand that has more.
@@ -13,8 +13,6 @@
 
 #include <mpfr.h>
 
-#include "exact/number.h"
-
 namespace truelux {
 
 /// Owns one mpfr_t of a fixed precision [bits]; starts as 0.
@@ -26,8 +24,6 @@ class Multiprecision {
   explicit Multiprecision(mpfr_prec_t precision);
 
   /// x rounded to nearest: relative error <= 2^-precision.
-  Multiprecision(mpfr_prec_t precision, const Exact& x);
-
   Multiprecision(mpfr_prec_t precision, double x);
 
   Multiprecision(const Multiprecision& other);

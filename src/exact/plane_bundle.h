@@ -20,7 +20,9 @@
 
 namespace truelux {
 
-/// The signs of one direction against the planes of a bundle.
+/// The signs of one direction against the planes of a bundle. Values and errors
+/// that are not used are not cleared, which would cost more than the others.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 struct BundleSides {
   static constexpr std::size_t kMaxPlanes = 8;
 
@@ -44,7 +46,8 @@ struct BundleSides {
 class PlaneBundle {
  public:
   // What is not used is not cleared: it would cost more than what is.
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+  // A default constructor would clear it where an object is made by {}.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,modernize-use-equals-default)
   PlaneBundle() {}
 
   /// Adds a plane with its id.

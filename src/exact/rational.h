@@ -12,18 +12,11 @@
 
 #include "exact/double_double.h"
 #include "exact/multiprecision.h"
-#include "exact/number.h"
 #include "exact/vec3.h"
 
 namespace truelux {
 
 using RationalVector = Vec3<mpq_class>;
-
-inline mpq_class RationalOf(const Exact& x) {
-  auto q = static_cast<mpq_class>(x);
-  q.canonicalize();
-  return q;
-}
 
 inline RationalVector RationalOf(const Point3& p) {
   return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)};

@@ -61,44 +61,45 @@ class RecipeEvaluator {
   }
 
   /// Vertex v relative to r.
-  Vec3<NT> FromReceiver(VertexId v) const {
+  [[nodiscard]] Vec3<NT> FromReceiver(VertexId v) const {
     return Between(view_.position, view_.vertices[v]);
   }
 
-  Vec3<NT> ReceiverNormal() const {
+  [[nodiscard]] Vec3<NT> ReceiverNormal() const {
     return {NT(view_.normal.x), NT(view_.normal.y), NT(view_.normal.z)};
   }
 
   /// (t1 - t0) x (t2 - t0): points to the front of triangle t; degree 2.
-  Vec3<NT> TriangleNormal(TriangleId t) const {
+  [[nodiscard]] Vec3<NT> TriangleNormal(TriangleId t) const {
     return Cross(Between(view_.Corner(t, 0), view_.Corner(t, 1)),
                  Between(view_.Corner(t, 0), view_.Corner(t, 2)));
   }
 
   /// h_t = N_t . (t0 - r): negative if r is in front of triangle t; degree 3.
-  NT Height(TriangleId t) const {
+  [[nodiscard]] NT Height(TriangleId t) const {
     return Dot(TriangleNormal(t), Between(view_.position, view_.Corner(t, 0)));
   }
 
   /// N_t . (v - t0): positive if vertex v is in front of triangle t; degree 3,
   /// independent of r.
-  NT AboveTriangle(TriangleId t, VertexId v) const {
+  [[nodiscard]] NT AboveTriangle(TriangleId t, VertexId v) const {
     return Dot(TriangleNormal(t),
                Between(view_.Corner(t, 0), view_.vertices[v]));
   }
 
   /// n . (v - r): positive if vertex v is above the receiver plane; degree 2.
-  NT AboveHorizon(VertexId v) const {
+  [[nodiscard]] NT AboveHorizon(VertexId v) const {
     return Dot(ReceiverNormal(), FromReceiver(v));
   }
 
-  Vec3<NT> Plane(const PlaneRecipe& p, ExplicitSpan explicit_vectors) const {
+  [[nodiscard]] Vec3<NT> Plane(const PlaneRecipe& p,
+                               ExplicitSpan explicit_vectors) const {
     return Signed(p.negated(), UnsignedPlane(p, explicit_vectors));
   }
 
   /// planes: those that kCrossing refers to.
-  Vec3<NT> Direction(const DirectionRecipe& d, PlaneSpan planes,
-                     ExplicitSpan explicit_vectors) const {
+  [[nodiscard]] Vec3<NT> Direction(const DirectionRecipe& d, PlaneSpan planes,
+                                   ExplicitSpan explicit_vectors) const {
     return Signed(d.negated(), UnsignedDirection(d, planes, explicit_vectors));
   }
 
@@ -108,7 +109,8 @@ class RecipeEvaluator {
   }
 
   /// f(a) (b - r) - f(b) (a - r), with f(a) > 0 > f(b).
-  Vec3<NT> Between(VertexId a, const NT& f_a, VertexId b, const NT& f_b) const {
+  [[nodiscard]] Vec3<NT> Between(VertexId a, const NT& f_a, VertexId b,
+                                 const NT& f_b) const {
     if constexpr (std::is_same_v<NT, Exact>) {
       assert(SignOf(f_a) == Sign::kPositive && SignOf(f_b) == Sign::kNegative);
     }
@@ -121,8 +123,8 @@ class RecipeEvaluator {
             FromExact<NT>::Of(v.z)};
   }
 
-  Vec3<NT> UnsignedPlane(const PlaneRecipe& p,
-                         ExplicitSpan explicit_vectors) const {
+  [[nodiscard]] Vec3<NT> UnsignedPlane(const PlaneRecipe& p,
+                                       ExplicitSpan explicit_vectors) const {
     switch (p.kind()) {
       case PlaneRecipe::Kind::kEdge:
         // b - a, not b - r: the edge itself is short where the source is
@@ -141,8 +143,9 @@ class RecipeEvaluator {
     return FromExplicit(p.explicit_vector(), explicit_vectors);
   }
 
-  Vec3<NT> UnsignedDirection(const DirectionRecipe& d, PlaneSpan planes,
-                             ExplicitSpan explicit_vectors) const {
+  [[nodiscard]] Vec3<NT> UnsignedDirection(
+      const DirectionRecipe& d, PlaneSpan planes,
+      ExplicitSpan explicit_vectors) const {
     switch (d.kind()) {
       case DirectionRecipe::Kind::kVertex:
         return FromReceiver(d.vertex());

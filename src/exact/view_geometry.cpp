@@ -4,6 +4,7 @@
 #include <bit>
 #include <utility>
 
+#include "exact/approximation.h"
 #include "exact/recipe_evaluator.h"
 
 namespace truelux {

@@ -23,17 +23,11 @@
 #include "exact/crossing.h"
 #include "exact/filter.h"
 #include "exact/plane_bundle.h"
+#include "exact/predicate_kind.h"
 #include "exact/recipe_evaluator.h"
 #include "exact/sign.h"
 
 namespace truelux {
-
-/// How predicates are decided.
-enum class PredicateKind {
-  kExact,       ///< in stages, always right
-  kUnfiltered,  ///< the sign of the double value, right or wrong: only to
-                ///< measure what exactness costs
-};
 
 /// The filtered normals of the triangles of a scene; independent of receivers.
 /// Entry t belongs to triangle t.

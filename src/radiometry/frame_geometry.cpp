@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "exact/ball_recipe.h"
+#include "exact/exact_conversion.h"
 #include "exact/recipe_evaluator.h"
 #include "radiometry/stages/ball_geometry.h"
 #include "radiometry/working_number.h"
@@ -14,6 +15,12 @@
 
 namespace truelux {
 namespace {
+
+/// An exact vector, rounded.
+Vec3<Multiprecision> Rounded(const Vec3<Exact>& v, mpfr_prec_t precision) {
+  return {MultiprecisionOf(precision, v.x), MultiprecisionOf(precision, v.y),
+          MultiprecisionOf(precision, v.z)};
+}
 
 /// The frame is used where coordinates can be scaled by this at most.
 constexpr int kMaxExponent = 1000;
@@ -156,7 +163,8 @@ W FrameGeometry<W>::OntoPlane(SourceId source, DirectionId id) const {
       const RecipeEvaluator<Exact> exact(contour_.view);
       const auto normal =
           Rounded(exact.TriangleNormal(triangle), kConversionBits);
-      const Multiprecision height(kConversionBits, exact.Height(triangle));
+      const Multiprecision height =
+          MultiprecisionOf(kConversionBits, exact.Height(triangle));
       const Vec3<Multiprecision> ray = {Middle(d.x), Middle(d.y), Middle(d.z)};
       factor = TimesTwoTo(height / Dot(normal, ray), -exponent).ToDouble();
     }
@@ -234,9 +242,10 @@ W FrameGeometry<W>::UnitDeterminant(DirectionId a, DirectionId b,
                                         direction(c)};
   const mpfr_prec_t precision =
       std::is_same_v<W, Multiprecision> ? precision_ : kConversionBits;
-  Multiprecision result(precision, Determinant(d[0], d[1], d[2]));
+  Multiprecision result =
+      MultiprecisionOf(precision, Determinant(d[0], d[1], d[2]));
   for (const Vec3<Exact>& v : d) {
-    result = result / Sqrt(Multiprecision(precision, Dot(v, v)));
+    result = result / Sqrt(MultiprecisionOf(precision, Dot(v, v)));
   }
   if constexpr (std::is_same_v<W, Multiprecision>) {
     return result;

@@ -69,12 +69,6 @@ Vec3<W> TimesTwoTo(const Vec3<W>& v, int exponent) {
           TimesTwoTo(v.z, exponent)};
 }
 
-/// An exact vector, rounded.
-inline Vec3<Multiprecision> Rounded(const Vec3<Exact>& v,
-                                    mpfr_prec_t precision) {
-  return {{precision, v.x}, {precision, v.y}, {precision, v.z}};
-}
-
 /// The value of a working number, without its bound.
 inline const Multiprecision& Middle(const Multiprecision& x) {
   return x;

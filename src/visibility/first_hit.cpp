@@ -16,9 +16,11 @@
 #include <stdexcept>
 
 #include "exact/double_double.h"
+#include "exact/exact_conversion.h"
 #include "exact/filter.h"
 #include "exact/number.h"
 #include "exact/rational.h"
+#include "exact/rounding.h"
 #include "exact/sign.h"
 #include "exact/vec3.h"
 #include "scene/index/ray_boxes.h"
@@ -78,7 +80,7 @@ class Search {
         direction_(MakeFilteredDirection(
             {ray.direction.x, ray.direction.y, ray.direction.z, 0})),
         boxes_(ray.origin, ray.direction) {
-    assert(CGAL::FPU_get_cw() == CGAL_FE_UPWARD);
+    assert(IsRoundingUpward());
   }
 
   [[nodiscard]] const RayBoxes& boxes() const { return boxes_; }
@@ -374,7 +376,7 @@ std::optional<FirstHit> FirstHitFinder::Find(const Ray& ray,
 }
 
 Point3 FirstHitFinder::PointOn(const Ray& ray, const FirstHit& hit) const {
-  assert(CGAL::FPU_get_cw() == CGAL_FE_TONEAREST);
+  assert(!IsRoundingUpward());
   const Corners corners(scene_, hit.triangle);
   assert(SignOf(ExactParameter(ray, corners).speed) == Sign::kPositive);
   const NearNormal normal(corners);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "exact/approximation.h"
 #include "support/portable_random.h"
 
 namespace truelux {

@@ -8,20 +8,22 @@
 
 #include <gtest/gtest.h>
 
+#include "exact/exact_conversion.h"
+
 namespace truelux {
 namespace {
 
 TEST(Multiprecision, TakesExactNumbersWithOneRounding) {
   const Exact x = Exact(1) + Exact(0x1p-100);
   const Exact square = x * x;  // 1 + 2^-99 + 2^-200
-  const Multiprecision wide(256, square);
+  const Multiprecision wide = MultiprecisionOf(256, square);
   mpfr_t truth;
   mpfr_init2(truth, 256);
   mpfr_set_ui_2exp(truth, 1, -200, MPFR_RNDN);
   mpfr_add_d(truth, truth, 0x1p-99, MPFR_RNDN);
   mpfr_add_d(truth, truth, 1, MPFR_RNDN);
   EXPECT_TRUE(mpfr_equal_p(wide.get(), truth));
-  const Multiprecision narrow(128, square);
+  const Multiprecision narrow = MultiprecisionOf(128, square);
   mpfr_set_d(truth, 1, MPFR_RNDN);
   mpfr_add_d(truth, truth, 0x1p-99, MPFR_RNDN);
   EXPECT_TRUE(mpfr_equal_p(narrow.get(), truth));
@@ -35,11 +37,11 @@ TEST(Multiprecision, TakesNumbersBeyondBinary64) {
     tiny = tiny * tiny;
   for (int i = 0; i < 3; ++i)
     huge = huge * huge;
-  EXPECT_EQ(mpfr_get_exp(Multiprecision(64, tiny).get()), -1074 * 8 + 1);
-  EXPECT_EQ(mpfr_get_exp(Multiprecision(64, huge).get()), 1024 * 8);
-  EXPECT_EQ(mpfr_get_exp(Multiprecision(64, -huge).get()), 1024 * 8);
-  EXPECT_LT(mpfr_sgn(Multiprecision(64, -huge).get()), 0);
-  EXPECT_TRUE(mpfr_zero_p(Multiprecision(64, Exact(0)).get()));
+  EXPECT_EQ(mpfr_get_exp(MultiprecisionOf(64, tiny).get()), -1074 * 8 + 1);
+  EXPECT_EQ(mpfr_get_exp(MultiprecisionOf(64, huge).get()), 1024 * 8);
+  EXPECT_EQ(mpfr_get_exp(MultiprecisionOf(64, -huge).get()), 1024 * 8);
+  EXPECT_LT(mpfr_sgn(MultiprecisionOf(64, -huge).get()), 0);
+  EXPECT_TRUE(mpfr_zero_p(MultiprecisionOf(64, Exact(0)).get()));
 }
 
 // A rounding to 53 bits first, then to the subnormal's bits, would give 2 of

@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "exact/exact_conversion.h"
+
 namespace truelux::testing {
 namespace {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "exact/filter.h"
-#include "exact/view_geometry.h"
+#include "exact/predicate_kind.h"
 #include "scene/index/convex_pieces.h"
 #include "scene/index/shaft.h"
 #include "scene/index/triangle_tree.h"
@@ -37,7 +37,7 @@ class ContourEngine {
 
   /// A facet of a face that emits.
   struct Emitter {
-    int facet;
+    int facet = 0;
     ShaftSource shafts;
   };
 

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "exact/exact_conversion.h"
+
 namespace truelux::testing {
 
 MpfrStage::MpfrStage(ExactSum sum, Emission emission)
@@ -18,8 +20,8 @@ MpfrStage::Sum MpfrStage::SumOfTerms(const WeightedTerms& group,
   Sum sum{Multiprecision(precision), Multiprecision(precision)};
   for (const ExactTerm& term : group.terms) {
     const RoundedPlane& plane = planes[term.plane];
-    Multiprecision y(precision, term.y);
-    Multiprecision x(precision, term.x);
+    Multiprecision y = MultiprecisionOf(precision, term.y);
+    Multiprecision x = MultiprecisionOf(precision, term.x);
     const mpfr_ptr scaled = term.length_on_y ? y.get() : x.get();
     mpfr_mul(scaled, scaled, plane.length.get(), MPFR_RNDN);
     mpfr_atan2(y.get(), y.get(), x.get(), MPFR_RNDN);
@@ -49,11 +51,11 @@ std::array<Enclosure, 3> MpfrStage::Evaluate(mpfr_prec_t precision) const {
   RoundedPlanes planes;
   planes.reserve(sum_.planes.size());
   for (const ExactPlane& plane : sum_.planes) {
-    RoundedPlane rounded{Multiprecision(precision, plane.normal_square),
-                         Multiprecision(precision, plane.both_squares)};
+    RoundedPlane rounded{MultiprecisionOf(precision, plane.normal_square),
+                         MultiprecisionOf(precision, plane.both_squares)};
     mpfr_sqrt(rounded.length.get(), rounded.length.get(), MPFR_RNDN);
     mpfr_sqrt(rounded.cosine.get(), rounded.cosine.get(), MPFR_RNDN);
-    const Multiprecision part(precision, plane.cosine_part);
+    const Multiprecision part = MultiprecisionOf(precision, plane.cosine_part);
     mpfr_div(rounded.cosine.get(), part.get(), rounded.cosine.get(), MPFR_RNDN);
     planes.push_back(std::move(rounded));
   }
@@ -69,7 +71,8 @@ std::array<Enclosure, 3> MpfrStage::Evaluate(mpfr_prec_t precision) const {
     Multiprecision product(precision);
     for (std::size_t i = 0; i < sums.size(); ++i) {
       if (sum_.groups[i].weight[channel].is_zero()) continue;
-      Multiprecision weight(precision, sum_.groups[i].weight[channel]);
+      Multiprecision weight =
+          MultiprecisionOf(precision, sum_.groups[i].weight[channel]);
       mpfr_mul(product.get(), sums[i].value.get(), weight.get(), MPFR_RNDN);
       mpfr_add(value.get(), value.get(), product.get(), MPFR_RNDN);
       mpfr_abs(weight.get(), weight.get(), MPFR_RNDN);

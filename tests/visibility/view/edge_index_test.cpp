@@ -19,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include "exact/exact_conversion.h"
 #include "support/plain_edges.h"
 #include "support/random_scene.h"
 #include "visibility/view/edges_at.h"

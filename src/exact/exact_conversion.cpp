@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exact/exact_conversion.h"
+
+#include <CGAL/Gmpq.h>
+
+namespace truelux {
+
+mpq_class RationalOf(const Exact& x) {
+  auto q = static_cast<mpq_class>(x);
+  q.canonicalize();
+  return q;
+}
+
+Multiprecision MultiprecisionOf(mpfr_prec_t precision, const Exact& x) {
+  // The denominator of a dyadic number is 2^k: one rounding, no division.
+  const CGAL::Gmpq quotient(x);
+  const auto bits = mpz_sizeinbase(mpq_denref(quotient.mpq()), 2);
+  Multiprecision result(precision);
+  mpfr_set_z_2exp(result.get(), mpq_numref(quotient.mpq()),
+                  1 - static_cast<mpfr_exp_t>(bits), MPFR_RNDN);
+  return result;
+}
+
+}  // namespace truelux

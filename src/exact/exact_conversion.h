@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From exact numbers to those of GMP and MPFR.
+
+#ifndef TRUELUX_EXACT_EXACT_CONVERSION_H_
+#define TRUELUX_EXACT_EXACT_CONVERSION_H_
+
+#include <gmpxx.h>
+#include <mpfr.h>
+
+#include "exact/multiprecision.h"
+#include "exact/number.h"
+
+namespace truelux {
+
+/// x itself.
+[[nodiscard]] mpq_class RationalOf(const Exact& x);
+
+/// x rounded to nearest: relative error <= 2^-precision.
+[[nodiscard]] Multiprecision MultiprecisionOf(mpfr_prec_t precision,
+                                              const Exact& x);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_EXACT_EXACT_CONVERSION_H_

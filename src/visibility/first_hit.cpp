@@ -272,33 +272,43 @@ std::optional<double> NearCoordinate(double o, const DoubleDouble& t,
   return sum;
 }
 
-Point3 RoundedPointOn(const Ray& ray, const Corners& corners,
-                      const NearNormal& normal) {
+/// Whether the plane of three corners lies across an axis: it then tells the
+/// coordinate. a, b, c: those of the corners.
+bool IsAcross(double a, double b, double c) {
+  return a == b && a == c;
+}
+
+/// The point by numbers of twice the precision, if they give it.
+std::optional<Point3> NearPointOn(const Ray& ray, const Corners& corners,
+                                  const NearNormal& normal) {
   const Point3& o = ray.origin;
   const Vector3& d = ray.direction;
   const auto& [a, b, c] = corners.at;
-  Point3 point;
   const auto t = NearParameter(ray, corners, normal);
-  const auto x = t ? NearCoordinate(o.x, *t, d.x) : std::nullopt;
-  const auto y = t ? NearCoordinate(o.y, *t, d.y) : std::nullopt;
-  const auto z = t ? NearCoordinate(o.z, *t, d.z) : std::nullopt;
-  // A plane across an axis says what the coordinate is.
-  const bool across_x = a.x == b.x && a.x == c.x;
-  const bool across_y = a.y == b.y && a.y == c.y;
-  const bool across_z = a.z == b.z && a.z == c.z;
-  if ((x || across_x) && (y || across_y) && (z || across_z)) {
-    point = {x.value_or(0), y.value_or(0), z.value_or(0)};
-  } else {
-    const ExactParameter exact(ray, corners);
-    const mpq_class s = RationalOf(exact.height) / RationalOf(exact.speed);
-    point = {NearestTo(mpq_class(o.x) + s * mpq_class(d.x)),
-             NearestTo(mpq_class(o.y) + s * mpq_class(d.y)),
-             NearestTo(mpq_class(o.z) + s * mpq_class(d.z))};
-  }
-  if (across_x) point.x = a.x;
-  if (across_y) point.y = a.y;
-  if (across_z) point.z = a.z;
-  return point;
+  if (!t) return std::nullopt;
+  const auto x = IsAcross(a.x, b.x, c.x) ? a.x : NearCoordinate(o.x, *t, d.x);
+  if (!x) return std::nullopt;
+  const auto y = IsAcross(a.y, b.y, c.y) ? a.y : NearCoordinate(o.y, *t, d.y);
+  if (!y) return std::nullopt;
+  const auto z = IsAcross(a.z, b.z, c.z) ? a.z : NearCoordinate(o.z, *t, d.z);
+  if (!z) return std::nullopt;
+  return Point3{*x, *y, *z};
+}
+
+Point3 RoundedPointOn(const Ray& ray, const Corners& corners,
+                      const NearNormal& normal) {
+  if (const auto near = NearPointOn(ray, corners, normal)) return *near;
+  const Point3& o = ray.origin;
+  const Vector3& d = ray.direction;
+  const auto& [a, b, c] = corners.at;
+  const ExactParameter exact(ray, corners);
+  const mpq_class s = RationalOf(exact.height) / RationalOf(exact.speed);
+  const auto on_ray = [&s](double from, double speed) {
+    return NearestTo(mpq_class(from) + s * mpq_class(speed));
+  };
+  return {IsAcross(a.x, b.x, c.x) ? a.x : on_ray(o.x, d.x),
+          IsAcross(a.y, b.y, c.y) ? a.y : on_ray(o.y, d.y),
+          IsAcross(a.z, b.z, c.z) ? a.z : on_ray(o.z, d.z)};
 }
 
 /// Moves a point that is behind a plane by rounding to the side that is seen,

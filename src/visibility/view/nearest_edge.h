@@ -26,10 +26,13 @@ class NearestEdge {
 
   /// Of the segments that do not pass through a direction d to the source, the
   /// nearest one; nothing if there is none. That a segment misses d is exact;
-  /// the angle is good to a few digits. A segment that passes through d only
-  /// behind the source's plane counts as a miss, by the angle to its ends. A
-  /// segment that misses by less than 1e-15, the rounding of directions of
-  /// length 1, may be passed over.
+  /// the angle is good to a few digits, except:
+  /// - A segment that passes through d only behind the source's plane is
+  ///   measured to its ends.
+  /// - A segment that misses d by less than 1e-15, the rounding of directions
+  ///   of length 1, may be passed over.
+  /// - The angle to a segment that is all but seen end on, or that all but
+  ///   passes through r, is not known.
   [[nodiscard]] std::optional<EdgeMiss> To(const Vec3<Exact>& d) const;
 
  private:

@@ -130,7 +130,7 @@ void SurfacePixels::Fill(const Scene& scene, const SurfaceFrame& frame,
           (frame.b_most - b) / (frame.b_most - frame.b_least) * height() - half;
     }
     const auto [top, bottom] =
-        std::ranges::minmax({corners[0].y, corners[1].y, corners[2].y});
+        std::minmax({corners[0].y, corners[1].y, corners[2].y});
     const PixelRange rows = PixelsWithin(top, bottom, height());
     for (int y = rows.first; y <= rows.last; ++y) {
       const Crossings crossings = CrossingsOf(corners, y);

@@ -21,24 +21,12 @@
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
-#include <CGAL/Lazy_kernel.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include "visibility/arrangement/arrangement_depth.h"
+#include "visibility/arrangement/image_segments.h"
 
 namespace truelux {
 namespace {
-
-// As CGAL::Epeck, but with an exact type that does not depend on how CGAL was
-// configured: the numbers have to go in and out.
-using Kernel = CGAL::Lazy_kernel<CGAL::Simple_cartesian<CGAL::Gmpq>>;
-
-/// Index of one of the image triangles.
-using ImageTriangleId = Id<struct ImageTriangleTag>;
-
-/// Which triangles' boundary an edge is part of; none for a line where two
-/// meet.
-using TriangleIds = std::vector<ImageTriangleId>;
 
 struct JoinIds {
   TriangleIds operator()(TriangleIds a, const TriangleIds& b) const {
@@ -105,7 +93,12 @@ class MapBuilder {
     AddEdges();
     AddMeetings();
     if (walls_ == MapWalls::kClosed) AddWalls();
-    CGAL::insert(arrangement_, curves_.begin(), curves_.end());
+    std::vector<Traits::Curve_2> curves;
+    for (ImageSegment& s : WithoutOverlaps(std::move(segments_))) {
+      curves.emplace_back(Kernel::Segment_2(s.begin, s.end),
+                          std::move(s.triangles));
+    }
+    CGAL::insert(arrangement_, curves.begin(), curves.end());
     LabelFaces();
     NumberParts();
     return CollectEdges();
@@ -122,9 +115,8 @@ class MapBuilder {
   void AddEdges() {
     for (const ImageTriangleId t : corners_.ids()) {
       for (std::size_t k = 0; k < 3; ++k) {
-        curves_.emplace_back(
-            Kernel::Segment_2(corners_[t][k], corners_[t][(k + 1) % 3]),
-            TriangleIds{t});
+        segments_.emplace_back(corners_[t][k], corners_[t][(k + 1) % 3],
+                               TriangleIds{t});
       }
     }
   }
@@ -133,8 +125,7 @@ class MapBuilder {
     const Corners corners = {Kernel::Point_2(0, 0), Kernel::Point_2(1, 0),
                              Kernel::Point_2(0, 1)};
     for (std::size_t k = 0; k < 3; ++k) {
-      curves_.emplace_back(Kernel::Segment_2(corners[k], corners[(k + 1) % 3]),
-                           TriangleIds{});
+      segments_.emplace_back(corners[k], corners[(k + 1) % 3], TriangleIds{});
     }
   }
 
@@ -170,7 +161,7 @@ class MapBuilder {
     const Kernel::Point_2 begin = std::max(p0, q0);
     const Kernel::Point_2 end = std::min(p1, q1);
     if (begin < end) {
-      curves_.emplace_back(Kernel::Segment_2(begin, end), TriangleIds{});
+      segments_.emplace_back(begin, end, TriangleIds{});
     }
   }
 
@@ -325,7 +316,7 @@ class MapBuilder {
   IdVector<ImageTriangleId, ImagePlane> planes_;
   IdVector<ImageTriangleId, Corners> corners_;
   IdVector<ImageTriangleId, CGAL::Bbox_2> boxes_;
-  std::vector<Traits::Curve_2> curves_;
+  std::vector<ImageSegment> segments_;
   Arrangement arrangement_;
   MapWalls walls_;
   std::unordered_map<const void*, FacetId> front_;  ///< per face

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "exact/recipe_evaluator.h"
+#include "scene/scene_access.h"
 
 namespace truelux {
 namespace {
@@ -42,7 +43,7 @@ class Partition {
 
 /// What is on one side of an edge.
 struct EdgeSide {
-  int facet = kOutside.value();
+  FacetId facet = kOutside;
   int part = -1;  ///< number over all charts
 };
 
@@ -108,18 +109,18 @@ class Gluing {
   }
 
   void AddMapEdge(const ChartView& view, const MapEdge& edge) {
-    const auto side = [&](int facet, int part) {
+    const auto side = [&](FacetId facet, int part) {
       return EdgeSide{facet, part_of_[Index(part)]};
     };
-    EdgeSide left = side(edge.left.value(), edge.left_part);
-    EdgeSide right = side(edge.right.value(), edge.right_part);
+    EdgeSide left = side(edge.left, edge.left_part);
+    EdgeSide right = side(edge.right, edge.right_part);
     int from = vertex_of_[edge.from.index()];
     int to = vertex_of_[edge.to.index()];
-    if (left.facet == kOutside.value()) {
+    if (left.facet == kOutside) {
       std::swap(left, right);
       std::swap(from, to);
     }
-    const bool on_wall = right.facet == kOutside.value();
+    const bool on_wall = right.facet == kOutside;
     if (!on_wall || (view_.vertices[Index(from)].on_horizon &&
                      view_.vertices[Index(to)].on_horizon)) {
       AddArc(from, to, left, right);
@@ -176,18 +177,20 @@ class Gluing {
       throw std::logic_error("two charts differ in how long their cut is");
   }
 
-  int FaceOf(int facet) const {
-    return facet < 0 ? facet : query_.scene.facets()[Index(facet)].face;
+  /// Whether two facets are of one face, or none, or both outside.
+  bool AreOfOneFace(FacetId a, FacetId b) const {
+    if (!a.valid() || !b.valid()) return a == b;
+    return FaceOf(query_.scene, a) == FaceOf(query_.scene, b);
   }
 
   void AddArc(int from, int to, const EdgeSide& left, const EdgeSide& right) {
     for (const int vertex : {from, to}) {
       for (const EdgeSide& side : {left, right}) {
-        if (side.facet != kOutside.value())
+        if (side.facet != kOutside)
           view_.vertices[Index(vertex)].around.push_back(side.facet);
       }
     }
-    if (FaceOf(left.facet) == FaceOf(right.facet)) {
+    if (AreOfOneFace(left.facet, right.facet)) {
       partition_.Unite(left.part, right.part);
       return;
     }

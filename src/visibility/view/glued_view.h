@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/ids.h"
 #include "exact/primitive.h"
 #include "visibility/arrangement/arrangement_view.h"
 #include "visibility/contour.h"
@@ -18,8 +19,8 @@ struct GluedVertex {
   Vec3<Exact> direction;
   PrimitiveVector key;  ///< the same, to be compared
   bool on_horizon = false;
-  /// What is seen right around it: facets, -1 for nothing; sorted.
-  std::vector<int> around;
+  /// What is seen right around it: facets, none for nothing; sorted.
+  std::vector<FacetId> around;
 };
 
 /// A piece of the border between two faces, or of the horizon. It ends where
@@ -27,17 +28,17 @@ struct GluedVertex {
 struct GluedArc {
   int from = -1;  ///< index into GluedView::vertices
   int to = -1;
-  /// Facets on both sides, -1: nothing, kOutside: below the horizon. from x to
+  /// Facets on both sides, none: nothing, kOutside: below the horizon. from x to
   /// points to the left side.
-  int left = -1;
-  int right = -1;
+  FacetId left;
+  FacetId right;
   int left_region = -1;   ///< number of the region, from 0
   int right_region = -1;  ///< -1: below the horizon
   /// A part of it, in its sense, in which nothing changes on either side.
   int piece_from = -1;
   int piece_to = -1;
 
-  [[nodiscard]] bool on_horizon() const { return right == kOutside.value(); }
+  [[nodiscard]] bool on_horizon() const { return right == kOutside; }
 };
 
 /// Regions are the connected parts of the hemisphere that show one face, or

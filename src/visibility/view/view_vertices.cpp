@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "scene/scene_access.h"
 #include "visibility/coincidence.h"
 
 namespace truelux {
@@ -49,15 +50,15 @@ ArcsAround ArcsAroundVertices(const GluedView& view) {
 ViewVertices::ViewVertices(const ContourQuery& query, FacetViews views,
                            const EdgeIndex& edges)
     : query_(query), views_(views), edges_(edges), exact_(ViewOf(query)) {
-  for (int v = 0; v < static_cast<int>(query.scene.vertices().size()); ++v) {
-    const Vec3<Exact> d = exact_.FromReceiver(VertexId(v));
+  for (const VertexId v : VerticesOf(query.scene).ids()) {
+    const Vec3<Exact> d = exact_.FromReceiver(v);
     if (SignOf(Dot(exact_.ReceiverNormal(), d)) != Sign::kNegative)
       scene_vertices_.insert(MakePrimitive(d));
   }
 }
 
-bool ViewVertices::IsSource(int facet) const {
-  return facet >= 0 && views_[FacetId(facet)].is_source;
+bool ViewVertices::IsSource(FacetId facet) const {
+  return facet.valid() && views_[facet].is_source;
 }
 
 bool ViewVertices::CanJoin(const GluedView& view, int vertex,
@@ -115,12 +116,12 @@ void ViewVertices::JoinArcs(GluedView& view) const {
 /// through it: then it is no vertex of that border.
 bool ViewVertices::PassesStraight(const GluedView& view, int vertex,
                                   std::span<const int> arcs) const {
-  std::vector<std::pair<int, const GluedArc*>> borders;
+  std::vector<std::pair<FaceId, const GluedArc*>> borders;
   for (const int a : arcs) {
     const GluedArc& arc = view.arcs[Index(a)];
-    for (const int facet : {arc.left, arc.right}) {
+    for (const FacetId facet : {arc.left, arc.right}) {
       if (!IsSource(facet)) continue;
-      borders.emplace_back(query_.scene.facets()[Index(facet)].face, &arc);
+      borders.emplace_back(FaceOf(query_.scene, facet), &arc);
     }
   }
   if (borders.size() != 2 || borders[0].first != borders[1].first) return false;
@@ -157,16 +158,17 @@ std::vector<EdgeHit> ViewVertices::HitsOf(const EdgesAt& edges,
                                           bool bounds_source) const {
   if (bounds_source) {
     std::vector<EdgeHit> hits;
-    for (const int facet : vertex.around) {
+    for (const FacetId facet : vertex.around) {
       if (!IsSource(facet)) continue;
       std::ranges::move(edges.OfSource(facet), std::back_inserter(hits));
     }
     return hits;
   }
-  int farthest = vertex.around.front();  // -1, nothing, comes first
-  for (const int facet : vertex.around) {
-    if (farthest >= 0 && edges_.DepthOrder(facet, farthest, vertex.direction) ==
-                             Sign::kPositive) {
+  FacetId farthest = vertex.around.front();  // none, nothing, comes first
+  for (const FacetId facet : vertex.around) {
+    if (farthest.valid() &&
+        edges_.DepthOrder(facet, farthest, vertex.direction) ==
+            Sign::kPositive) {
       farthest = facet;
     }
   }
@@ -191,7 +193,7 @@ WholeViewVertex ViewVertices::Describe(const GluedVertex& vertex,
   result.bounds_source = bounds_source;
   result.planes_with_hidden = result.vertex.planes;
   if (result.vertex.conjunctive) {
-    for (const EdgeHit& hit : edges.NotBehind(-1))
+    for (const EdgeHit& hit : edges.NotBehind(FacetId()))
       c.Add(hit.plane, hit.vertex, normal);
     ContourVertex all;
     c.Describe(vertex.on_horizon, all);

@@ -39,7 +39,7 @@ class ViewVertices {
                                          std::span<const int> arcs) const;
 
  private:
-  [[nodiscard]] bool IsSource(int facet) const;
+  [[nodiscard]] bool IsSource(FacetId facet) const;
   [[nodiscard]] bool CanJoin(const GluedView& view, int vertex,
                              std::span<const int> arcs) const;
   [[nodiscard]] bool PassesStraight(const GluedView& view, int vertex,

@@ -86,10 +86,10 @@ class ViewAssembly {
     arc.kind = ViewArcKind::kSilhouette;
     const Vec3<Exact>& from = Direction(glued.piece_from);
     const Vec3<Exact>& to = Direction(glued.piece_to);
-    int near = std::max(glued.left, glued.right);
-    const int far = std::min(glued.left, glued.right);
+    FacetId near = std::max(glued.left, glued.right);
+    const FacetId far = std::min(glued.left, glued.right);
     Sign order = Sign::kPositive;  // far is farther
-    if (far >= 0) {
+    if (far.valid()) {
       order = edges_.DepthOrder(far, near, from);
       if (order == Sign::kZero) order = edges_.DepthOrder(far, near, to);
     }
@@ -104,7 +104,7 @@ class ViewAssembly {
   }
 
   /// Both facets are equally far all along; a < b.
-  void SetEdgeOfEqualDepth(int a, int b, const Vec3<Exact>& from,
+  void SetEdgeOfEqualDepth(FacetId a, FacetId b, const Vec3<Exact>& from,
                            const Vec3<Exact>& to, WholeViewArc& arc) {
     const auto edge_a = edges_.AlongArc(a, from, to);
     const auto edge_b = edges_.AlongArc(b, from, to);
@@ -132,13 +132,13 @@ class ViewAssembly {
     }
   }
 
-  void SetFacet(int index, int facet) {
-    if (index < 0 || facet < 0) return;
+  void SetFacet(int index, FacetId facet) {
+    if (index < 0 || !facet.valid()) return;
     ViewRegion& region = view_.regions[Index(index)];
-    if (region.facet >= 0 && region.facet <= facet) return;
-    region.facet = facet;
+    if (region.facet >= 0 && region.facet <= facet.value()) return;
+    region.facet = facet.value();
     region.face = edges_.FaceNumber(facet);
-    region.front = SignOf(views_[FacetId(facet)].height) == Sign::kNegative;
+    region.front = SignOf(views_[facet].height) == Sign::kNegative;
   }
 
   /// Those where arcs end, in the order of the arcs.

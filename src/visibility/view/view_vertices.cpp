@@ -12,13 +12,9 @@
 namespace truelux {
 namespace {
 
-std::size_t Index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// The end of an arc's first or last piece that is not the vertex; an arc that
 /// was not joined yet.
-int OtherEnd(const GluedArc& arc, int vertex) {
+GluedVertexId OtherEnd(const GluedArc& arc, GluedVertexId vertex) {
   return arc.from == vertex ? arc.to : arc.from;
 }
 
@@ -39,9 +35,9 @@ GluedArc Turned(const GluedArc& a) {
 
 ArcsAround ArcsAroundVertices(const GluedView& view) {
   ArcsAround around(view.vertices.size());
-  for (std::size_t a = 0; a < view.arcs.size(); ++a) {
-    for (const int vertex : {view.arcs[a].from, view.arcs[a].to}) {
-      if (vertex >= 0) around[Index(vertex)].push_back(static_cast<int>(a));
+  for (const GluedArcId a : view.arcs.ids()) {
+    for (const GluedVertexId vertex : {view.arcs[a].from, view.arcs[a].to}) {
+      if (vertex.valid()) around[vertex].push_back(a);
     }
   }
   return around;
@@ -61,19 +57,19 @@ bool ViewVertices::IsSource(FacetId facet) const {
   return facet.valid() && views_[facet].is_source;
 }
 
-bool ViewVertices::CanJoin(const GluedView& view, int vertex,
-                           std::span<const int> arcs) const {
+bool ViewVertices::CanJoin(const GluedView& view, GluedVertexId vertex,
+                           std::span<const GluedArcId> arcs) const {
   if (arcs.size() != 2 || arcs[0] == arcs[1]) return false;
-  const GluedArc& a = view.arcs[Index(arcs[0])];
-  const GluedArc& b = view.arcs[Index(arcs[1])];
-  const auto direction = [&view](int v) -> const Vec3<Exact>& {
-    return view.vertices[Index(v)].direction;
+  const GluedArc& a = view.arcs[arcs[0]];
+  const GluedArc& b = view.arcs[arcs[1]];
+  const auto direction = [&view](GluedVertexId v) -> const Vec3<Exact>& {
+    return view.vertices[v].direction;
   };
   if (!IsStraight(direction(OtherEnd(a, vertex)), direction(vertex),
                   direction(OtherEnd(b, vertex)))) {
     return false;
   }
-  const GluedVertex& here = view.vertices[Index(vertex)];
+  const GluedVertex& here = view.vertices[vertex];
   if (!scene_vertices_.contains(here.key)) return true;
   const bool bounds_source = IsSource(a.left) || IsSource(a.right) ||
                              IsSource(b.left) || IsSource(b.right);
@@ -82,31 +78,31 @@ bool ViewVertices::CanJoin(const GluedView& view, int vertex,
 
 void ViewVertices::JoinArcs(GluedView& view) const {
   const ArcsAround around = ArcsAroundVertices(view);
-  std::vector<bool> joins;
-  for (std::size_t v = 0; v < around.size(); ++v)
-    joins.push_back(CanJoin(view, static_cast<int>(v), around[v]));
-  std::vector<GluedArc> joined;
-  std::vector<bool> done(view.arcs.size(), false);
+  IdVector<GluedVertexId, bool> joins;
+  for (const GluedVertexId v : around.ids())
+    joins.push_back(CanJoin(view, v, around[v]));
+  IdVector<GluedArcId, GluedArc> joined;
+  IdVector<GluedArcId, bool> done(view.arcs.size(), false);
   /// Lengthens an arc at its end as far as it goes on.
-  const auto extend = [&](GluedArc& arc, int last) {
-    while (joins[Index(arc.to)]) {
-      const std::vector<int>& there = around[Index(arc.to)];
-      const int next = there[0] == last ? there[1] : there[0];
-      if (done[Index(next)]) break;  // once around the horizon
-      done[Index(next)] = true;
-      arc.to = OtherEnd(view.arcs[Index(next)], arc.to);
+  const auto extend = [&](GluedArc& arc, GluedArcId last) {
+    while (joins[arc.to]) {
+      const std::vector<GluedArcId>& there = around[arc.to];
+      const GluedArcId next = there[0] == last ? there[1] : there[0];
+      if (done[next]) break;  // once around the horizon
+      done[next] = true;
+      arc.to = OtherEnd(view.arcs[next], arc.to);
       last = next;
     }
   };
-  for (std::size_t a = 0; a < view.arcs.size(); ++a) {
+  for (const GluedArcId a : view.arcs.ids()) {
     if (done[a]) continue;
     done[a] = true;
     GluedArc arc = view.arcs[a];
-    extend(arc, static_cast<int>(a));
+    extend(arc, a);
     arc = Turned(arc);
-    extend(arc, static_cast<int>(a));
+    extend(arc, a);
     arc = Turned(arc);
-    if (arc.from == arc.to && joins[Index(arc.from)]) arc.from = arc.to = -1;
+    if (arc.from == arc.to && joins[arc.from]) arc.from = arc.to = {};
     joined.push_back(arc);
   }
   view.arcs = std::move(joined);
@@ -114,11 +110,11 @@ void ViewVertices::JoinArcs(GluedView& view) const {
 
 /// Whether just one source borders on a vertex, and its border goes straight
 /// through it: then it is no vertex of that border.
-bool ViewVertices::PassesStraight(const GluedView& view, int vertex,
-                                  std::span<const int> arcs) const {
+bool ViewVertices::PassesStraight(const GluedView& view, GluedVertexId vertex,
+                                  std::span<const GluedArcId> arcs) const {
   std::vector<std::pair<FaceId, const GluedArc*>> borders;
-  for (const int a : arcs) {
-    const GluedArc& arc = view.arcs[Index(a)];
+  for (const GluedArcId a : arcs) {
+    const GluedArc& arc = view.arcs[a];
     for (const FacetId facet : {arc.left, arc.right}) {
       if (!IsSource(facet)) continue;
       borders.emplace_back(FaceOf(query_.scene, facet), &arc);
@@ -129,19 +125,20 @@ bool ViewVertices::PassesStraight(const GluedView& view, int vertex,
   if (borders[0].second->on_horizon() && borders[1].second->on_horizon())
     return true;
   const auto beyond = [&](const GluedArc& arc) -> const Vec3<Exact>& {
-    const int end = arc.from == vertex ? arc.piece_to : arc.piece_from;
-    return view.vertices[Index(end)].direction;
+    const GluedVertexId end =
+        arc.from == vertex ? arc.piece_to : arc.piece_from;
+    return view.vertices[end].direction;
   };
-  return IsStraight(beyond(*borders[0].second),
-                    view.vertices[Index(vertex)].direction,
+  return IsStraight(beyond(*borders[0].second), view.vertices[vertex].direction,
                     beyond(*borders[1].second));
 }
 
-WholeViewVertex ViewVertices::Classify(const GluedView& view, int vertex,
-                                       std::span<const int> arcs) const {
-  const GluedVertex& here = view.vertices[Index(vertex)];
-  const bool any_source = std::ranges::any_of(arcs, [&](int a) {
-    const GluedArc& arc = view.arcs[Index(a)];
+WholeViewVertex ViewVertices::Classify(const GluedView& view,
+                                       GluedVertexId vertex,
+                                       std::span<const GluedArcId> arcs) const {
+  const GluedVertex& here = view.vertices[vertex];
+  const bool any_source = std::ranges::any_of(arcs, [&](GluedArcId a) {
+    const GluedArc& arc = view.arcs[a];
     return IsSource(arc.left) || IsSource(arc.right);
   });
   if (!any_source) return Describe(here, false);

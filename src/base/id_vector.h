@@ -52,6 +52,11 @@ class IdRange {
 
   [[nodiscard]] constexpr Iterator end() const { return Iterator(end_); }
 
+  /// How many they are.
+  [[nodiscard]] constexpr int size() const {
+    return end_.value() - first_.value();
+  }
+
   /// Whether an id is one of them.
   [[nodiscard]] constexpr bool contains(Key id) const {
     return first_ <= id && id < end_;

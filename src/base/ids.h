@@ -50,7 +50,7 @@ class Id {
 
 /// Index into Scene::vertices().
 using VertexId = Id<struct VertexTag>;
-/// Index of a scene edge, which joins two vertices.
+/// Index of an edge of a convex piece, and of the corner where it starts.
 using EdgeId = Id<struct EdgeTag>;
 /// Index into Scene::triangles().
 using TriangleId = Id<struct TriangleTag>;

@@ -11,18 +11,20 @@
 #include <utility>
 #include <vector>
 
+#include "base/ids.h"
+
 namespace truelux {
 
-/// Maps small integers (ids) to values of type T. Every entry carries a stamp,
-/// and only an entry with the table's current stamp is set: Clear() takes the
-/// next stamp and touches no entry.
+/// Maps keys, each an Id or a small integer, to values of type T. Every entry
+/// carries a stamp, and only an entry with the table's current stamp is set:
+/// Clear() takes the next stamp and touches no entry.
 ///
 /// The stamps wrap around after 2^32 - 1 clears; Clear() then resets all
 /// entries once, so that an old entry never seems set again. (Stamp is a
 /// parameter so that a test can get there.)
 ///
 /// Allocates only in Cover(), and there only for more keys than ever before.
-template <class T, class Stamp = std::uint32_t>
+template <class T, class Key = int, class Stamp = std::uint32_t>
 class StampedTable {
  public:
   /// Room for the keys 0 .. size - 1; none of them is set.
@@ -44,9 +46,8 @@ class StampedTable {
 
   /// The value of a key; null if the key is not set, or if there is no room for
   /// it yet.
-  [[nodiscard]] T* Find(int key) {
-    assert(key >= 0);
-    const auto index = static_cast<std::size_t>(key);
+  [[nodiscard]] T* Find(Key key) {
+    const std::size_t index = IndexOf(key);
     if (index >= entries_.size() || entries_[index].stamp != stamp_) {
       return nullptr;
     }
@@ -54,22 +55,22 @@ class StampedTable {
   }
 
   /// Whether a key is set. Requires room for it, as all that follows.
-  [[nodiscard]] bool Has(int key) const { return At(key).stamp == stamp_; }
+  [[nodiscard]] bool Has(Key key) const { return At(key).stamp == stamp_; }
 
   /// The value of a key. Requires Has(key).
-  [[nodiscard]] T& operator[](int key) {
+  [[nodiscard]] T& operator[](Key key) {
     assert(Has(key));
     return At(key).value;
   }
 
   /// The same, to read.
-  [[nodiscard]] const T& operator[](int key) const {
+  [[nodiscard]] const T& operator[](Key key) const {
     assert(Has(key));
     return At(key).value;
   }
 
   /// Sets a key.
-  T& Set(int key, T value) {
+  T& Set(Key key, T value) {
     T& place = Renew(key);
     place = std::move(value);
     return place;
@@ -77,7 +78,7 @@ class StampedTable {
 
   /// Sets a key to whatever value it had last, possibly before a Clear() (a
   /// new one at first): for values whose memory is used again.
-  T& Renew(int key) {
+  T& Renew(Key key) {
     Entry& entry = At(key);
     entry.stamp = stamp_;
     return entry.value;
@@ -86,7 +87,7 @@ class StampedTable {
   /// The value of a key, which is set to make() if it is not set. make() must
   /// not change this table.
   template <class Make>
-  T& FindOrMake(int key, const Make& make) {
+  T& FindOrMake(Key key, const Make& make) {
     Entry& entry = At(key);
     if (entry.stamp != stamp_) {
       entry.value = make();
@@ -103,21 +104,34 @@ class StampedTable {
     [[no_unique_address]] T value{};
   };
 
-  [[nodiscard]] Entry& At(int key) {
-    assert(key >= 0 && static_cast<std::size_t>(key) < entries_.size());
-    return entries_[static_cast<std::size_t>(key)];
+  static std::size_t IndexOf(int key) {
+    assert(key >= 0);
+    return static_cast<std::size_t>(key);
   }
 
-  [[nodiscard]] const Entry& At(int key) const {
-    assert(key >= 0 && static_cast<std::size_t>(key) < entries_.size());
-    return entries_[static_cast<std::size_t>(key)];
+  template <class Tag>
+  static std::size_t IndexOf(Id<Tag> key) {
+    return key.index();
+  }
+
+  [[nodiscard]] Entry& At(Key key) {
+    const std::size_t index = IndexOf(key);
+    assert(index < entries_.size());
+    return entries_[index];
+  }
+
+  [[nodiscard]] const Entry& At(Key key) const {
+    const std::size_t index = IndexOf(key);
+    assert(index < entries_.size());
+    return entries_[index];
   }
 
   std::vector<Entry> entries_;
   Stamp stamp_ = kNever + 1;
 };
 
-/// A set of small integers: a StampedTable without values.
+/// A set of keys: a StampedTable without values.
+template <class Key = int>
 class StampedSet {
  public:
   /// Room for the keys 0 .. size - 1; none of them is in the set.
@@ -127,15 +141,15 @@ class StampedSet {
   void Clear() { table_.Clear(); }
 
   /// Puts in a key. Requires room for it.
-  void Insert(int key) { table_.Renew(key); }
+  void Insert(Key key) { table_.Renew(key); }
 
   /// Whether a key is in the set. Requires room for it.
-  [[nodiscard]] bool Contains(int key) const { return table_.Has(key); }
+  [[nodiscard]] bool Contains(Key key) const { return table_.Has(key); }
 
  private:
   struct Nothing {};
 
-  StampedTable<Nothing> table_;
+  StampedTable<Nothing, Key> table_;
 };
 
 }  // namespace truelux

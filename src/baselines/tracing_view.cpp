@@ -10,7 +10,9 @@
 #include <unordered_map>
 #include <utility>
 
+#include "exact/recipe.h"
 #include "exact/vec3.h"
+#include "scene/scene_access.h"
 
 namespace truelux {
 namespace {
@@ -191,24 +193,28 @@ class ViewBuilder {
 
 bool ViewBuilder::Look(const IdVector<FacetId, bool>& ignored) {
   for (const Piece& piece : pieces_.pieces()) {
-    if (ignored.empty() || !ignored[FacetId(piece.facet)]) LookAt(piece);
+    if (ignored.empty() || !ignored[piece.facet]) LookAt(piece);
   }
   return !sources_.empty();
 }
 
 void ViewBuilder::LookAt(const Piece& piece) {
-  const auto& corners = scene_.triangles()[Index(piece.triangle)].vertices;
-  const Point3& a = scene_.vertices()[Index(corners[0])];
+  const auto vertices = VerticesOf(scene_);
+  const auto corners = CornersOf(TrianglesOf(scene_)[piece.triangle]);
+  const Point3& a = vertices[corners[0]];
   SeenPiece seen;
   seen.piece = &piece;
-  seen.normal = Cross(Between(a, scene_.vertices()[Index(corners[1])]),
-                      Between(a, scene_.vertices()[Index(corners[2])]));
+  seen.normal =
+      Cross(Between(a, vertices[corners[1]]), Between(a, vertices[corners[2]]));
   seen.on_plane = a;
   seen.height = Dot(seen.normal, Between(receiver_.position, a));
   if (seen.height == 0) return;
   const bool is_front = seen.height < 0;
   const auto ring = pieces_.CornersOf(piece);
-  std::vector<int> order(ring.begin(), ring.end());
+  std::vector<int> order;
+  order.reserve(ring.size());
+  for (const VertexId vertex : ring)
+    order.push_back(vertex.value());
   if (!is_front) std::ranges::reverse(order);
   seen.ring = points_.Clipped(std::move(order));
   if (seen.ring.empty()) return;
@@ -216,15 +222,16 @@ void ViewBuilder::LookAt(const Piece& piece) {
     const TracingVertex image = points_[i].Image();
     seen.extent.Add(image.x, image.y);
   }
-  const Facet& facet = scene_.facets()[Index(piece.facet)];
-  if (is_front) seen.exitance = scene_.faces()[Index(facet.face)].emission;
+  if (is_front) {
+    seen.exitance = FacesOf(scene_)[FaceOf(scene_, piece.facet)].emission;
+  }
   (seen.exitance == Rgb{} ? others_ : sources_).push_back(std::move(seen));
 }
 
 bool ViewBuilder::IsBehind(const SeenPiece& piece,
                            const SeenPiece& source) const {
-  return std::ranges::all_of(pieces_.CornersOf(*piece.piece), [&](int corner) {
-    const Point3& p = scene_.vertices()[Index(corner)];
+  return std::ranges::all_of(pieces_.CornersOf(*piece.piece), [&](VertexId v) {
+    const Point3& p = VerticesOf(scene_)[v];
     return Dot(source.normal, Between(source.on_plane, p)) <= 0;
   });
 }

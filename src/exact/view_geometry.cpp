@@ -20,7 +20,7 @@ bool HaveSameEnds(const PlaneRecipe& p, const Recipe& q) {
 
 }  // namespace
 
-std::vector<FilteredPlane> FilteredTriangleNormals(
+IdVector<TriangleId, FilteredPlane> FilteredTriangleNormals(
     std::span<const Point3> vertices, std::span<const Triangle> triangles) {
   const RoundUpward rounding;
   const ReceiverView view{IdSpan<VertexId, const Point3>(vertices),
@@ -28,7 +28,7 @@ std::vector<FilteredPlane> FilteredTriangleNormals(
                           {},
                           {}};
   const RecipeEvaluator<Interval> evaluator(view);
-  std::vector<FilteredPlane> normals;
+  IdVector<TriangleId, FilteredPlane> normals;
   normals.reserve(triangles.size());
   for (const TriangleId t : view.triangles.ids()) {
     normals.push_back(
@@ -39,7 +39,8 @@ std::vector<FilteredPlane> FilteredTriangleNormals(
 
 template <PredicateKind kKind>
 BasicViewGeometry<kKind>::BasicViewGeometry(
-    const ReceiverView& view, std::span<const FilteredPlane> triangle_normals)
+    const ReceiverView& view,
+    IdSpan<TriangleId, const FilteredPlane> triangle_normals)
     : view_(view),
       triangle_normals_(triangle_normals),
       interval_(view),
@@ -84,12 +85,12 @@ int BasicViewGeometry<kKind>::AddPlane(const PlaneRecipe& recipe) {
 }
 
 template <PredicateKind kKind>
-int BasicViewGeometry<kKind>::AddVertexDirection(int vertex) {
+int BasicViewGeometry<kKind>::AddVertexDirection(VertexId vertex) {
   const int id = direction_count();
   vertex_directions_.Set(vertex, id);
   directions_.push_back(
-      {FilteredDifference(view_.position, view_.vertices[VertexId(vertex)]),
-       DirectionRecipe::ToVertex(VertexId(vertex)), kNotMade});
+      {FilteredDifference(view_.position, view_.vertices[vertex]),
+       DirectionRecipe::ToVertex(vertex), kNotMade});
   return id;
 }
 
@@ -145,20 +146,20 @@ const Vec3<Exact>& BasicViewGeometry<kKind>::DirectionExact(int id) {
 
 template <PredicateKind kKind>
 std::optional<Sign> BasicViewGeometry<kKind>::ReceiverSideInterval(
-    int triangle) const {
-  return TrySign(interval_.Height(TriangleId(triangle)));
+    TriangleId triangle) const {
+  return TrySign(interval_.Height(triangle));
 }
 
 template <PredicateKind kKind>
-Sign BasicViewGeometry<kKind>::ReceiverSideExact(int triangle) const {
-  return SignOf(exact_.Height(TriangleId(triangle)));
+Sign BasicViewGeometry<kKind>::ReceiverSideExact(TriangleId triangle) const {
+  return SignOf(exact_.Height(triangle));
 }
 
 template <PredicateKind kKind>
-Sign BasicViewGeometry<kKind>::ReceiverSide(int triangle) {
-  const Point3& corner = view_.Corner(TriangleId(triangle), 0);
+Sign BasicViewGeometry<kKind>::ReceiverSide(TriangleId triangle) {
+  const Point3& corner = view_.Corner(triangle, 0);
   StageCounts& counts = statistics_.receiver_side;
-  const BoundedValue value = Filter(triangle_normals_[Index(triangle)],
+  const BoundedValue value = Filter(triangle_normals_[triangle],
                                     FilteredDifference(view_.position, corner));
   if (const auto sign = TrySign(value)) {
     ++counts.filter;
@@ -175,28 +176,28 @@ Sign BasicViewGeometry<kKind>::ReceiverSide(int triangle) {
 
 template <PredicateKind kKind>
 std::optional<Sign> BasicViewGeometry<kKind>::VertexSideInterval(
-    int triangle, int vertex) const {
-  return TrySign(
-      interval_.AboveTriangle(TriangleId(triangle), VertexId(vertex)));
+    TriangleId triangle, VertexId vertex) const {
+  return TrySign(interval_.AboveTriangle(triangle, vertex));
 }
 
 template <PredicateKind kKind>
-Sign BasicViewGeometry<kKind>::VertexSideExact(int triangle, int vertex) const {
-  return SignOf(exact_.AboveTriangle(TriangleId(triangle), VertexId(vertex)));
+Sign BasicViewGeometry<kKind>::VertexSideExact(TriangleId triangle,
+                                               VertexId vertex) const {
+  return SignOf(exact_.AboveTriangle(triangle, vertex));
 }
 
 template <PredicateKind kKind>
-Sign BasicViewGeometry<kKind>::VertexSide(int triangle, int vertex) {
-  const auto& corners = view_.triangles[TriangleId(triangle)].vertices;
+Sign BasicViewGeometry<kKind>::VertexSide(TriangleId triangle,
+                                          VertexId vertex) {
+  const auto [a, b, c] = CornersOf(view_.triangles[triangle]);
   StageCounts& counts = statistics_.vertex_side;
-  if (vertex == corners[0] || vertex == corners[1] || vertex == corners[2]) {
+  if (vertex == a || vertex == b || vertex == c) {
     ++counts.symbolic;
     return Sign::kZero;
   }
   const BoundedValue value =
-      Filter(triangle_normals_[Index(triangle)],
-             FilteredDifference(view_.vertices[VertexId(corners[0])],
-                                view_.vertices[VertexId(vertex)]));
+      Filter(triangle_normals_[triangle],
+             FilteredDifference(view_.vertices[a], view_.vertices[vertex]));
   if (const auto sign = TrySign(value)) {
     ++counts.filter;
     return *sign;

@@ -19,6 +19,8 @@
 
 #include "truelux/statistics.h"
 
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "base/stamped_table.h"
 #include "exact/crossing.h"
 #include "exact/filter.h"
@@ -30,8 +32,7 @@
 namespace truelux {
 
 /// The filtered normals of the triangles of a scene; independent of receivers.
-/// Entry t belongs to triangle t.
-std::vector<FilteredPlane> FilteredTriangleNormals(
+IdVector<TriangleId, FilteredPlane> FilteredTriangleNormals(
     std::span<const Point3> vertices, std::span<const Triangle> triangles);
 
 template <PredicateKind kKind>
@@ -40,7 +41,7 @@ class BasicViewGeometry {
   /// triangle_normals: FilteredTriangleNormals of the view's scene. What the
   /// arguments refer to must outlive the object.
   BasicViewGeometry(const ReceiverView& view,
-                    std::span<const FilteredPlane> triangle_normals);
+                    IdSpan<TriangleId, const FilteredPlane> triangle_normals);
 
   /// Forgets all planes, directions and counts and starts with another
   /// receiver in the same scene. Allocates nothing in the steady state.
@@ -50,7 +51,7 @@ class BasicViewGeometry {
   int AddPlane(const PlaneRecipe& recipe);
 
   /// The id of the direction to a scene vertex.
-  int VertexDirection(int vertex) {
+  int VertexDirection(VertexId vertex) {
     return vertex_directions_.Has(vertex) ? vertex_directions_[vertex]
                                           : AddVertexDirection(vertex);
   }
@@ -83,19 +84,20 @@ class BasicViewGeometry {
   }
 
   /// The normal of a triangle as the filter sees it.
-  [[nodiscard]] const FilteredPlane& TriangleNormalFilter(int triangle) const {
-    return triangle_normals_[Index(triangle)];
+  [[nodiscard]] const FilteredPlane& TriangleNormalFilter(
+      TriangleId triangle) const {
+    return triangle_normals_[triangle];
   }
 
   /// Sign of h_t = N_t . (t0 - r): negative if r is in front of triangle t.
   /// Properties: (1) swapping two corners negates it; (2) zero exactly if r
   /// lies in the plane of t. Degree 3. No tie rule.
-  Sign ReceiverSide(int triangle);
+  Sign ReceiverSide(TriangleId triangle);
 
   /// Sign of N_t . (v - t0): positive if vertex v is in front of triangle t.
   /// Properties: (1) zero for the triangle's own corners; (2) does not depend
   /// on the receiver. Degree 3. No tie rule.
-  Sign VertexSide(int triangle, int vertex);
+  Sign VertexSide(TriangleId triangle, VertexId vertex);
 
   /// Sign of N . d. Properties: (1) negating either argument negates it;
   /// (2) zero for the two ends of the plane's own edge, known without
@@ -165,11 +167,13 @@ class BasicViewGeometry {
   // The stages, for the cascades above and for tests.
   [[nodiscard]] bool Incident(int plane, int direction) const;
   [[nodiscard]] bool SameEdge(int plane, int other) const;
-  [[nodiscard]] std::optional<Sign> ReceiverSideInterval(int triangle) const;
-  [[nodiscard]] Sign ReceiverSideExact(int triangle) const;
-  [[nodiscard]] std::optional<Sign> VertexSideInterval(int triangle,
-                                                       int vertex) const;
-  [[nodiscard]] Sign VertexSideExact(int triangle, int vertex) const;
+  [[nodiscard]] std::optional<Sign> ReceiverSideInterval(
+      TriangleId triangle) const;
+  [[nodiscard]] Sign ReceiverSideExact(TriangleId triangle) const;
+  [[nodiscard]] std::optional<Sign> VertexSideInterval(TriangleId triangle,
+                                                       VertexId vertex) const;
+  [[nodiscard]] Sign VertexSideExact(TriangleId triangle,
+                                     VertexId vertex) const;
 
   [[nodiscard]] BoundedValue PlaneSideFilter(int plane, int direction) const {
     return Filter(planes_[Index(plane)].filtered,
@@ -217,7 +221,7 @@ class BasicViewGeometry {
     return FilteredDot(plane, direction);
   }
 
-  int AddVertexDirection(int vertex);
+  int AddVertexDirection(VertexId vertex);
   Sign PlaneSideSlowly(int plane, int direction);
   void DecideSides(int bundle, int direction, std::uint32_t open,
                    BundleSides& sides);
@@ -228,14 +232,14 @@ class BasicViewGeometry {
   const Vec3<Exact>& DirectionExact(int id);
 
   ReceiverView view_;
-  std::span<const FilteredPlane> triangle_normals_;
+  IdSpan<TriangleId, const FilteredPlane> triangle_normals_;
   RecipeEvaluator<Interval> interval_;
   RecipeEvaluator<Exact> exact_;
   std::vector<PlaneEntry> planes_;
   std::vector<DirectionEntry> directions_;
   std::vector<PlaneBundle> bundles_;
   std::vector<SlowVector> slow_;
-  StampedTable<int> vertex_directions_;  ///< per scene vertex
+  StampedTable<int, VertexId> vertex_directions_;
   Statistics statistics_;
 };
 

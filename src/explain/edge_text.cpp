@@ -4,13 +4,14 @@
 #include <cstddef>
 #include <fmt/format.h>
 
+#include "scene/scene_access.h"
 #include "text/results.h"
 
 namespace truelux {
 namespace {
 
 std::string TextOfVertex(const Scene& scene, int vertex) {
-  return TextOf(scene.vertices()[static_cast<std::size_t>(vertex)]);
+  return TextOf(VerticesOf(scene)[VertexId(vertex)]);
 }
 
 }  // namespace
@@ -26,7 +27,7 @@ std::string TextOf(const Point3& point) {
 }
 
 std::string TextOfFace(const Scene& scene, int face) {
-  const Face& f = scene.faces()[static_cast<std::size_t>(face - 1)];
+  const Face& f = FacesOf(scene)[IndexOf(FaceNumber(face))];
   const std::string& group =
       scene.group_names()[static_cast<std::size_t>(f.group)];
   std::string where = f.line > 0 ? fmt::format("line {}", f.line) : "";

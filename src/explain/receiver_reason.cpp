@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "scene/scene_access.h"
 #include "text/number_text.h"
 #include "visibility/on_horizon.h"
 
@@ -60,16 +61,13 @@ struct Part {
 };
 
 /// The scene vertices of a face.
-std::set<int> VerticesOfFace(const Scene& scene, int face_number) {
-  const Face& face = scene.faces()[static_cast<std::size_t>(face_number - 1)];
-  std::set<int> vertices;
-  for (const Facet& facet :
-       scene.facets().subspan(static_cast<std::size_t>(face.first_facet),
-                              static_cast<std::size_t>(face.facet_count))) {
-    for (const Triangle& triangle : scene.triangles().subspan(
-             static_cast<std::size_t>(facet.first_triangle),
-             static_cast<std::size_t>(facet.triangle_count)))
-      vertices.insert(triangle.vertices.begin(), triangle.vertices.end());
+std::set<VertexId> VerticesOfFace(const Scene& scene, FaceNumber number) {
+  std::set<VertexId> vertices;
+  for (const FacetId f : FacetsOf(FacesOf(scene)[IndexOf(number)])) {
+    for (const Triangle& triangle : TrianglesOf(scene, FacetsOf(scene)[f])) {
+      for (const int vertex : triangle.vertices)
+        vertices.emplace(vertex);
+    }
   }
   return vertices;
 }
@@ -134,11 +132,11 @@ class Reader {
   bool IsOutline(const ContourArc& arc) {
     if (arc.edge_face == arc.source) return true;
     auto& own = outlines_[arc.source];
-    if (own.empty()) own = VerticesOfFace(scene_, arc.source);
+    if (own.empty()) own = VerticesOfFace(scene_, FaceNumber(arc.source));
     const auto is_own = [&](int index) {
       const ContourVertex& vertex =
           contour_.vertices[static_cast<std::size_t>(index)];
-      return own.contains(vertex.vertex);
+      return own.contains(VertexId(vertex.vertex));
     };
     return is_own(arc.from) && is_own(arc.to);
   }
@@ -160,10 +158,10 @@ class Reader {
   /// Above the horizon; of scene vertices from their coordinates, which are
   /// exact, while directions are rounded.
   [[nodiscard]] double Height(std::size_t index) const {
-    const int vertex = contour_.vertices[index].vertex;
+    const VertexId vertex(contour_.vertices[index].vertex);
     Vector3 direction = directions_[index];
-    if (vertex >= 0) {
-      const Point3& v = scene_.vertices()[static_cast<std::size_t>(vertex)];
+    if (vertex.valid()) {
+      const Point3& v = VerticesOf(scene_)[vertex];
       const Point3& r = receiver_.position;
       direction = Unit({v.x - r.x, v.y - r.y, v.z - r.z});
     }
@@ -196,7 +194,7 @@ class Reader {
   ReceiverTraits traits_;
   std::vector<Vector3> directions_;  ///< of the vertices, of length 1
   std::map<int, Part> parts_;        ///< by the number of the source
-  std::map<int, std::set<int>> outlines_;
+  std::map<int, std::set<VertexId>> outlines_;
   double term_sum_ = 0;    ///< of the terms of Lambert's formula
   double term_sizes_ = 0;  ///< of their absolute values
 };

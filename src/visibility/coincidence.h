@@ -18,14 +18,14 @@ namespace truelux {
 class Coincidence {
  public:
   /// An edge in the plane with this normal; vertex: the scene vertex where it
-  /// ends there, -1 if it passes. Edges in the receiver plane are no planes of
+  /// ends there, none if it passes. Edges in the receiver plane are no planes of
   /// their own.
-  void Add(const Vec3<Exact>& plane, int vertex,
+  void Add(const Vec3<Exact>& plane, VertexId vertex,
            const Vec3<Exact>& receiver_normal) {
     const Vec3<Exact> turn = Cross(plane, receiver_normal);
     if (!Dot(turn, turn).is_zero())
       planes_.insert(WithoutSign(MakePrimitive(plane)));
-    if (vertex >= 0) {
+    if (vertex.valid()) {
       vertices_.insert(vertex);
     } else {
       passed_ = true;
@@ -38,7 +38,7 @@ class Coincidence {
     vertex.planes = static_cast<int>(planes_.size()) + (on_horizon ? 1 : 0);
     if (!vertices_.empty()) {
       vertex.kind = VertexKind::kIntrinsic;
-      vertex.vertex = *vertices_.begin();
+      vertex.vertex = vertices_.begin()->value();
     } else if (on_horizon) {
       vertex.kind = VertexKind::kHorizon;
     }
@@ -55,7 +55,7 @@ class Coincidence {
   }
 
   std::set<PrimitiveVector> planes_;  ///< of edges, without sign
-  std::set<int> vertices_;            ///< scene vertices exactly there
+  std::set<VertexId> vertices_;       ///< scene vertices exactly there
   bool passed_ = false;  ///< an edge passes that does not end at such a vertex
 };
 

@@ -39,8 +39,7 @@ void IgnoredFacetCache::SetOnFace(FaceNumber on_face) {
 }
 
 bool IgnoredFacetCache::Ask(FacetId facet) {
-  return is_ignored_.FindOrMake(facet.value(),
-                                [&] { return IsInPlaneOfFace(facet); });
+  return is_ignored_.FindOrMake(facet, [&] { return IsInPlaneOfFace(facet); });
 }
 
 /// Whether a facet lies in the plane of a facet of the face that is named.

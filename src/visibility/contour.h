@@ -100,7 +100,7 @@ class IgnoredFacetCache {
 
   const Scene& scene_;
   FaceNumber on_face_;
-  StampedTable<bool> is_ignored_;  ///< per facet, once a face was named
+  StampedTable<bool, FacetId> is_ignored_;  ///< once a face was named
 };
 
 }  // namespace truelux

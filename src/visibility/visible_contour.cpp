@@ -22,7 +22,7 @@ namespace {
 /// What could bound one source.
 class SourceEdges {
  public:
-  SourceEdges(const ContourQuery& query, int facet, bool in_detail)
+  SourceEdges(const ContourQuery& query, FacetId facet, bool in_detail)
       : front_(query, facet), index_(query, TrianglesOfSource(query, front_)) {
     if (in_detail) nearest_.emplace(index_, front_);
   }
@@ -30,7 +30,7 @@ class SourceEdges {
   SourceEdges(const SourceEdges&) = delete;
   SourceEdges& operator=(const SourceEdges&) = delete;
 
-  [[nodiscard]] int facet() const { return front_.facet(); }
+  [[nodiscard]] FacetId facet() const { return front_.facet(); }
 
   [[nodiscard]] std::vector<EdgeHit> Through(const Vec3<Exact>& d) const {
     return EdgesAt(index_, d).OfSource(facet());
@@ -78,7 +78,7 @@ class Describer {
 
  private:
   void DescribeSource(const SourceArcs& source) {
-    const SourceEdges edges(query_, source.facet.value(), in_detail_);
+    const SourceEdges edges(query_, source.facet, in_detail_);
     const FaceNumber face = NumberOf(FaceOf(query_.scene, source.facet));
     for (const Arc& arc : contour_.ArcsOf(source)) {
       ContourArc described;
@@ -141,7 +141,7 @@ class Describer {
     if (is_new) {
       result_.vertices.emplace_back();
       coincidences_.emplace_back();
-      described_for_.push_back(-1);
+      described_for_.emplace_back();
       edges_.emplace_back();
     }
     if (described_for_[index] == edges.facet()) return entry->second;
@@ -183,7 +183,7 @@ class Describer {
   std::vector<ExactArc> arcs_;
   std::map<PrimitiveVector, int> index_;
   std::vector<Coincidence> coincidences_;  ///< per vertex of the result
-  std::vector<int> described_for_;         ///< per vertex: last facet
+  std::vector<FacetId> described_for_;     ///< per vertex: last facet
   std::vector<VertexEdges> edges_;         ///< per vertex; empty if not asked
   bool in_detail_ = false;
 };

@@ -100,7 +100,7 @@ TEST(StampedTable, RenewsTheMemoryOfAValue) {
 
 /// With 8 bits the stamps wrap around after 255 clears.
 TEST(StampedTable, AnOldEntryDoesNotComeBackWhenTheStampsWrapAround) {
-  using Small = StampedTable<int, std::uint8_t>;
+  using Small = StampedTable<int, int, std::uint8_t>;
   for (int clears = 1; clears < 1000; ++clears) {
     Small table(2);
     table.Set(0, 1);

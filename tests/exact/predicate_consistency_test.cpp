@@ -30,7 +30,7 @@ TEST(PlaneSide, IsZeroAtTheEndsOfItsOwnEdge) {
     ViewGeometry g = f.Make();
     const int plane = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
     for (const int vertex : {0, 1}) {
-      const int d = g.VertexDirection(vertex);
+      const int d = g.VertexDirection(VertexId(vertex));
       EXPECT_EQ(g.PlaneSide(plane, d).sign, Sign::kZero);
       EXPECT_EQ(g.PlaneSideExact(plane, d), Sign::kZero);
     }
@@ -57,7 +57,8 @@ TEST(PlaneSide, ClippedEndsLieExactlyOnTheClippingPlane) {
     const int up = g.AddDirection(
         DirectionRecipe::EdgeAtHorizon(VertexId(0), VertexId(1)));
     EXPECT_EQ(g.PlaneSide(horizon, up).sign, Sign::kZero);
-    const bool front = g.VertexSide(1, 0) == Sign::kPositive;
+    const bool front =
+        g.VertexSide(TriangleId(1), VertexId(0)) == Sign::kPositive;
     const int cut_end = g.AddDirection(DirectionRecipe::EdgeAtPlane(
         VertexId(front ? 0 : 1), VertexId(front ? 1 : 0), TriangleId(1)));
     const int cut =
@@ -99,7 +100,7 @@ TEST(PlaneSide, StagesAgreeOnNearTies) {
     const RoundUpward rounding;
     ViewGeometry g = f.Make();
     const int plane = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
-    const int d = g.VertexDirection(2);
+    const int d = g.VertexDirection(VertexId(2));
     const Sign exact = g.PlaneSideExact(plane, d);
     if (const auto sign = g.PlaneSideInterval(plane, d)) {
       ASSERT_EQ(*sign, exact) << "sample " << i;
@@ -139,8 +140,8 @@ TEST(EdgeOrder, StagesAgreeOnNearTiesAndAreTransitive) {
     }
     const RoundUpward rounding;
     ViewGeometry g = f.Make();
-    const int u = g.VertexDirection(0);
-    const int v = g.VertexDirection(1);
+    const int u = g.VertexDirection(VertexId(0));
+    const int v = g.VertexDirection(VertexId(1));
     const int n = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
     std::array<Crossing, 3> c;
     bool proper = true;
@@ -193,8 +194,8 @@ TEST(EdgeOrder, GenericInputNeverReachesTheExactStage) {
     }
     const RoundUpward rounding;
     ViewGeometry g = f.Make();
-    const int u = g.VertexDirection(0);
-    const int v = g.VertexDirection(1);
+    const int u = g.VertexDirection(VertexId(0));
+    const int v = g.VertexDirection(VertexId(1));
     bool proper = true;
     const auto crossing = [&](int a) {
       const int p =
@@ -230,12 +231,12 @@ TEST(VertexSide, IsZeroForOwnCornersAndIndependentOfTheReceiver) {
     const RoundUpward rounding;
     ViewGeometry first = f.Make();
     for (int k = 0; k < 3; ++k) {
-      EXPECT_EQ(first.VertexSide(0, k), Sign::kZero);
+      EXPECT_EQ(first.VertexSide(TriangleId(0), VertexId(k)), Sign::kZero);
     }
-    const Sign side = first.VertexSide(0, 3);
+    const Sign side = first.VertexSide(TriangleId(0), VertexId(3));
     f.position = point();
-    EXPECT_EQ(f.Make().VertexSide(0, 3), side);
-    EXPECT_EQ(first.VertexSideExact(0, 3), side);
+    EXPECT_EQ(f.Make().VertexSide(TriangleId(0), VertexId(3)), side);
+    EXPECT_EQ(first.VertexSideExact(TriangleId(0), VertexId(3)), side);
   }
 }
 

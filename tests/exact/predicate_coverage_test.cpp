@@ -51,9 +51,9 @@ TEST_P(ReceiverSideCoverage, HasSignAtCheapestStage) {
   f.AddTriangle(c.corners[0], c.corners[1], c.corners[2]);
   const RoundUpward rounding;
   ViewGeometry g = f.Make();
-  EXPECT_EQ(g.ReceiverSide(0), c.sign) << c.what;
+  EXPECT_EQ(g.ReceiverSide(TriangleId(0)), c.sign) << c.what;
   ExpectStage(g.statistics().receiver_side, c.stage);
-  EXPECT_EQ(g.ReceiverSideExact(0), c.sign);
+  EXPECT_EQ(g.ReceiverSideExact(TriangleId(0)), c.sign);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -125,8 +125,8 @@ TEST_P(EdgeOrderCoverage, HasSignAtCheapestStage) {
                 c.first[1], c.second[0], c.second[1]};
   const RoundUpward rounding;
   ViewGeometry g = f.Make();
-  const int u = g.VertexDirection(0);
-  const int v = g.VertexDirection(1);
+  const int u = g.VertexDirection(VertexId(0));
+  const int v = g.VertexDirection(VertexId(1));
   const auto edge = [&g](int a, int b) {
     return g.AddPlane(PlaneRecipe::OfEdge(VertexId(a), VertexId(b)));
   };

@@ -32,20 +32,19 @@ class PlainEngine {
     cones_.SetReceiver();
     Contour contour;
     writer_.Start(contour);
-    for (std::size_t f = 0; f < scene_.facets().size(); ++f) {
-      const int facet = static_cast<int>(f);
+    for (const FacetId facet : FacetsOf(scene_).ids()) {
       if (IsSource(facet)) BuildSource(facet);
     }
     return contour;
   }
 
  private:
-  bool IsIgnored(int facet) const {
-    return !ignored_.empty() && ignored_[FacetId(facet)];
+  bool IsIgnored(FacetId facet) const {
+    return !ignored_.empty() && ignored_[facet];
   }
 
-  bool IsSource(int facet) {
-    const FaceId face = FaceOf(scene_, FacetId(facet));
+  bool IsSource(FacetId facet) {
+    const FaceId face = FaceOf(scene_, facet);
     const Rgb& emission = FacesOf(scene_)[face].emission;
     const bool wanted =
         query_.only_source.valid()
@@ -55,13 +54,12 @@ class PlainEngine {
            cones_.ReceiverSide(pieces_.FirstPieceOf(facet)) == Sign::kNegative;
   }
 
-  void BuildSource(int facet) {
+  void BuildSource(FacetId facet) {
     sources_.clear();
     blockers_.clear();
-    const int source =
-        scene_.facets()[static_cast<std::size_t>(facet)].first_triangle;
-    for (int p = 0; p < static_cast<int>(pieces_.pieces().size()); ++p) {
-      const Piece& piece = pieces_.pieces()[static_cast<std::size_t>(p)];
+    const TriangleId source = FirstTriangleOf(FacetsOf(scene_)[facet]);
+    for (const PieceId p : pieces_.pieces().ids()) {
+      const Piece& piece = pieces_.pieces()[p];
       if (IsIgnored(piece.facet) || cones_.ReceiverSide(p) == Sign::kZero) {
         continue;
       }
@@ -86,8 +84,8 @@ class PlainEngine {
     cones.push_back(cone);
   }
 
-  void AddBlocker(int source, int facet, int p) {
-    const Piece& piece = pieces_.pieces()[static_cast<std::size_t>(p)];
+  void AddBlocker(TriangleId source, FacetId facet, PieceId p) {
+    const Piece& piece = pieces_.pieces()[p];
     CornerSigns sides{};
     int front = 0;
     int behind = 0;
@@ -96,9 +94,7 @@ class PlainEngine {
       front += sides[k] == Sign::kPositive ? 1 : 0;
       behind += sides[k] == Sign::kNegative ? 1 : 0;
     }
-    const auto facets = scene_.facets();
-    const bool earlier = facets[static_cast<std::size_t>(piece.facet)].face <
-                         facets[static_cast<std::size_t>(facet)].face;
+    const bool earlier = FaceOf(scene_, piece.facet) < FaceOf(scene_, facet);
     if (front > 0 && behind > 0) {
       Add(blockers_, cones_.InFrontOf(source, p, sides));
     } else if (front > 0 || (behind == 0 && earlier)) {
@@ -142,7 +138,7 @@ class PlainEngine {
   const ContourQuery& query_;
   const Scene& scene_;
   ConvexPieces pieces_;
-  std::vector<FilteredPlane> normals_;
+  IdVector<TriangleId, FilteredPlane> normals_;
   ViewGeometry geometry_;
   ConeMaker<ViewGeometry> cones_;
   EdgeSweep<ViewGeometry> sweep_;

@@ -70,7 +70,7 @@ bool operator<(const PlainHit& a, const PlainHit& b) {
 PlainHit PlainHitOf(const EdgeHit& hit) {
   const RationalVector n{RationalOf(hit.plane.x), RationalOf(hit.plane.y),
                          RationalOf(hit.plane.z)};
-  return {hit.edge, hit.vertex, PlaneKey(n)};
+  return {hit.edge, hit.vertex.value(), PlaneKey(n)};
 }
 
 PlainEdges::PlainEdges(const ContourQuery& query)

@@ -14,7 +14,7 @@ namespace truelux::testing {
 struct ViewFixture {
   std::vector<Point3> vertices;
   std::vector<Triangle> triangles;
-  std::vector<FilteredPlane> normals;
+  IdVector<TriangleId, FilteredPlane> normals;
   Point3 position;
   Vector3 normal{0, 0, 1};
 

@@ -13,10 +13,6 @@
 namespace truelux {
 namespace {
 
-std::size_t Index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// Sign of N . ((b - a) x (c - b)): positive for a left turn at b, seen from
 /// the front of a polygon with normal N.
 template <class NT>
@@ -33,11 +29,12 @@ class FacetPieces {
  public:
   FacetPieces(const Scene& scene, const Facet& facet, int max_corners)
       : view_{VerticesOf(scene), TrianglesOf(scene), {}, {}},
-        first_triangle_(facet.first_triangle),
-        max_corners_(Index(max_corners)) {
-    for (const Triangle& t : scene.triangles().subspan(
-             Index(facet.first_triangle), Index(facet.triangle_count)))
-      rings_.emplace_back(t.vertices.begin(), t.vertices.end());
+        first_triangle_(FirstTriangleOf(facet)),
+        max_corners_(static_cast<std::size_t>(max_corners)) {
+    for (const Triangle& t : TrianglesOf(scene, facet)) {
+      const std::array<VertexId, 3> corners = CornersOf(t);
+      rings_.emplace_back(corners.begin(), corners.end());
+    }
     joined_to_.resize(rings_.size());
     std::iota(joined_to_.begin(), joined_to_.end(), std::size_t{0});
     for (const Diagonal& diagonal : Diagonals())
@@ -48,8 +45,10 @@ class FacetPieces {
   template <class Take>
   void ForEach(Take&& take) const {
     for (std::size_t t = 0; t < rings_.size(); ++t) {
-      if (!rings_[t].empty())
-        take(rings_[t], first_triangle_ + static_cast<int>(t));
+      if (!rings_[t].empty()) {
+        take(rings_[t],
+             TriangleId(first_triangle_.value() + static_cast<int>(t)));
+      }
     }
   }
 
@@ -57,7 +56,7 @@ class FacetPieces {
   /// An edge that two triangles share; the first one runs from low to high or
   /// back, the second one the other way.
   struct Diagonal {
-    std::pair<int, int> ends;  ///< vertices, the smaller index first
+    std::pair<VertexId, VertexId> ends;  ///< the smaller index first
     std::size_t triangle = 0;
     std::size_t other = 0;
   };
@@ -90,8 +89,8 @@ class FacetPieces {
   void Join(const Diagonal& diagonal) {
     const std::size_t keep = RingWith(diagonal.triangle);
     const std::size_t gone = RingWith(diagonal.other);
-    std::vector<int>& ring = rings_[keep];
-    std::vector<int>& added = rings_[gone];
+    std::vector<VertexId>& ring = rings_[keep];
+    std::vector<VertexId>& added = rings_[gone];
     if (ring.size() + added.size() - 2 > max_corners_) return;
     // Both rings are turned so that the diagonal closes them.
     const auto [low, high] = diagonal.ends;
@@ -108,7 +107,7 @@ class FacetPieces {
 
   /// Turns a ring until its first and last corners are the two given ones, in
   /// either order.
-  static void TurnTo(std::vector<int>& ring, int a, int b) {
+  static void TurnTo(std::vector<VertexId>& ring, VertexId a, VertexId b) {
     const auto closes = [&] {
       return std::minmax({ring.front(), ring.back()}) == std::minmax({a, b});
     };
@@ -116,80 +115,74 @@ class FacetPieces {
       std::rotate(ring.begin(), ring.begin() + 1, ring.end());
   }
 
-  [[nodiscard]] bool TurnsLeft(int a, int b, int c) const {
-    const auto at = [this](int vertex) {
-      return view_.vertices[VertexId(vertex)];
-    };
+  [[nodiscard]] bool TurnsLeft(VertexId a, VertexId b, VertexId c) const {
+    const auto at = [this](VertexId vertex) { return view_.vertices[vertex]; };
     {
       const RoundUpward rounding;
       const RecipeEvaluator<Interval> interval(view_);
-      const auto sign =
-          TrySign(Turn(interval.TriangleNormal(TriangleId(first_triangle_)),
-                       at(a), at(b), at(c)));
+      const auto sign = TrySign(
+          Turn(interval.TriangleNormal(first_triangle_), at(a), at(b), at(c)));
       if (sign) return *sign == Sign::kPositive;
     }
     const RecipeEvaluator<Exact> exact(view_);
-    return SignOf(Turn(exact.TriangleNormal(TriangleId(first_triangle_)), at(a),
-                       at(b), at(c))) == Sign::kPositive;
+    return SignOf(Turn(exact.TriangleNormal(first_triangle_), at(a), at(b),
+                       at(c))) == Sign::kPositive;
   }
 
   ReceiverView view_;
-  int first_triangle_;
+  TriangleId first_triangle_;
   std::size_t max_corners_;
   /// Per triangle the polygon that it became; empty: joined to another one's.
-  std::vector<std::vector<int>> rings_;
+  std::vector<std::vector<VertexId>> rings_;
   std::vector<std::size_t> joined_to_;
 };
 
 }  // namespace
 
 ConvexPieces::ConvexPieces(const Scene& scene, int max_corners) {
-  const auto facets = scene.facets();
+  const auto facets = FacetsOf(scene);
   first_piece_.reserve(facets.size() + 1);
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    first_piece_.push_back(static_cast<int>(pieces_.size()));
-    const int facet = static_cast<int>(f);
-    const int first = facets[f].first_triangle;
+  for (const FacetId f : facets.ids()) {
+    first_piece_.push_back(pieces_.end_id());
+    const TriangleId first = FirstTriangleOf(facets[f]);
     if (facets[f].triangle_count == 1) {
-      AddPiece(scene.triangles()[Index(first)].vertices, facet, first);
+      AddPiece(truelux::CornersOf(TrianglesOf(scene)[first]), f, first);
       continue;
     }
     FacetPieces(scene, facets[f], max_corners)
-        .ForEach([&](std::span<const int> corners, int triangle) {
-          AddPiece(corners, facet, triangle);
+        .ForEach([&](std::span<const VertexId> corners, TriangleId triangle) {
+          AddPiece(corners, f, triangle);
         });
   }
-  first_piece_.push_back(static_cast<int>(pieces_.size()));
+  first_piece_.push_back(pieces_.end_id());
   LinkEdges();
-  NumberPlanes(scene);
+  FindPlanes(scene);
 }
 
-void ConvexPieces::AddPiece(std::span<const int> corners, int facet,
-                            int triangle) {
-  const auto piece = static_cast<int>(pieces_.size());
-  pieces_.push_back({static_cast<int>(corners_.size()),
-                     static_cast<int>(corners.size()), facet, triangle});
-  corners_.insert(corners_.end(), corners.begin(), corners.end());
-  piece_of_.insert(piece_of_.end(), corners.size(), piece);
+void ConvexPieces::AddPiece(std::span<const VertexId> corners, FacetId facet,
+                            TriangleId triangle) {
+  const PieceId piece = pieces_.push_back(
+      {corners_.end_id(), static_cast<int>(corners.size()), facet, triangle});
+  corners_.Append(corners);
+  piece_of_.resize(corners_.size(), piece);
 }
 
 void ConvexPieces::LinkEdges() {
   /// An edge by its vertices, the smaller index first.
   struct KeyedEdge {
     std::uint64_t key;
-    int edge;
+    EdgeId edge;
   };
 
   std::vector<KeyedEdge> edges;
   edges.reserve(corners_.size());
   for (const Piece& piece : pieces_) {
-    const auto ring = CornersOf(piece);
-    for (std::size_t k = 0; k < ring.size(); ++k) {
+    for (const EdgeId edge : piece.edges()) {
       const auto [low, high] =
-          std::minmax(ring[k], ring[k + 1 < ring.size() ? k + 1 : 0]);
-      edges.push_back({static_cast<std::uint64_t>(high) << 32 |
-                           static_cast<std::uint64_t>(low),
-                       piece.first_corner + static_cast<int>(k)});
+          std::minmax(corners_[edge], corners_[NextCorner(edge)]);
+      edges.push_back({static_cast<std::uint64_t>(high.value()) << 32 |
+                           static_cast<std::uint64_t>(low.value()),
+                       edge});
     }
   }
   std::ranges::sort(edges, [](const KeyedEdge& a, const KeyedEdge& b) {
@@ -200,22 +193,22 @@ void ConvexPieces::LinkEdges() {
     std::size_t end = begin + 1;
     while (end < edges.size() && edges[end].key == edges[begin].key)
       ++end;
-    for (std::size_t i = begin; i < end; ++i) {
-      next_same_edge_[Index(edges[i].edge)] =
-          edges[i + 1 < end ? i + 1 : begin].edge;
-    }
+    for (std::size_t i = begin; i < end; ++i)
+      next_same_edge_[edges[i].edge] = edges[i + 1 < end ? i + 1 : begin].edge;
     begin = end;
   }
 }
 
-void ConvexPieces::NumberPlanes(const Scene& scene) {
-  // Sets of coplanar facets, each with a tree that leads to its number.
-  plane_number_.resize(scene.facets().size());
-  std::iota(plane_number_.begin(), plane_number_.end(), 0);
-  const auto number_of = [this](int facet) {
-    while (plane_number_[Index(facet)] != facet) {
-      int& parent = plane_number_[Index(facet)];
-      parent = plane_number_[Index(parent)];
+void ConvexPieces::FindPlanes(const Scene& scene) {
+  // Sets of coplanar facets, each a tree with the set's first facet as root.
+  const IdRange<FacetId> facets = FacetsOf(scene).ids();
+  first_in_plane_.reserve(scene.facets().size());
+  for (const FacetId facet : facets)
+    first_in_plane_.push_back(facet);
+  const auto first_of = [this](FacetId facet) {
+    while (first_in_plane_[facet] != facet) {
+      FacetId& parent = first_in_plane_[facet];
+      parent = first_in_plane_[parent];
       facet = parent;
     }
     return facet;
@@ -224,24 +217,21 @@ void ConvexPieces::NumberPlanes(const Scene& scene) {
   const RecipeEvaluator<Interval> interval(view);
   const RecipeEvaluator<Exact> exact(view);
   const RoundUpward rounding;
-  for (int edge = 0; edge < static_cast<int>(corners_.size()); ++edge) {
-    const int other = NextSameEdge(edge);
-    const Piece& p = pieces_[Index(PieceOf(edge))];
-    const Piece& q = pieces_[Index(PieceOf(other))];
-    const int a = number_of(p.facet);
-    const int b = number_of(q.facet);
+  for (const EdgeId edge : corners_.ids()) {
+    const EdgeId other = NextSameEdge(edge);
+    const Piece& p = pieces_[PieceOf(edge)];
+    const Piece& q = pieces_[PieceOf(other)];
+    const FacetId a = first_of(p.facet);
+    const FacetId b = first_of(q.facet);
     if (a == b) continue;
     // They have an edge in common, so that one more corner decides.
-    const VertexId vertex(corners_[Index(NextCorner(NextCorner(other)))]);
-    const TriangleId own(p.triangle);
-    auto sign = TrySign(interval.AboveTriangle(own, vertex));
-    if (!sign) sign = SignOf(exact.AboveTriangle(own, vertex));
-    if (*sign == Sign::kZero) {
-      plane_number_[Index(std::max(a, b))] = std::min(a, b);
-    }
+    const VertexId vertex = corners_[NextCorner(NextCorner(other))];
+    auto sign = TrySign(interval.AboveTriangle(p.triangle, vertex));
+    if (!sign) sign = SignOf(exact.AboveTriangle(p.triangle, vertex));
+    if (*sign == Sign::kZero) first_in_plane_[std::max(a, b)] = std::min(a, b);
   }
-  for (int facet = 0; facet < static_cast<int>(plane_number_.size()); ++facet)
-    plane_number_[Index(facet)] = number_of(facet);
+  for (const FacetId facet : facets)
+    first_in_plane_[facet] = first_of(facet);
 }
 
 }  // namespace truelux

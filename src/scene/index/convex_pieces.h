@@ -8,26 +8,31 @@
 #ifndef TRUELUX_SCENE_INDEX_CONVEX_PIECES_H_
 #define TRUELUX_SCENE_INDEX_CONVEX_PIECES_H_
 
-#include <cstddef>
 #include <span>
-#include <vector>
 
 #include "truelux/scene.h"
+
+#include "base/id_vector.h"
+#include "base/ids.h"
 
 namespace truelux {
 
 /// A strictly convex planar polygon, counter-clockwise seen from its front.
 struct Piece {
-  int first_corner = 0;  ///< its corners are first_corner ..
+  EdgeId first_corner;   ///< its corners are first_corner ..
   int corner_count = 0;  ///< .. first_corner + corner_count - 1
-  int facet = 0;         ///< index into Scene::facets()
-  int triangle = 0;      ///< a triangle of the facet: carries the plane
+  FacetId facet;
+  TriangleId triangle;  ///< a triangle of the facet: carries the plane
+
+  /// The corners, each with the edge that starts there.
+  [[nodiscard]] IdRange<EdgeId> edges() const {
+    return {first_corner, corner_count};
+  }
 };
 
 /// The pieces of a scene, and which of their edges are the same.
 ///
-/// Corner c of piece p, p.first_corner <= c, also names the edge from that
-/// corner to the piece's next one.
+/// A corner has the EdgeId of the edge from there to the piece's next corner.
 class ConvexPieces {
  public:
   static constexpr int kMaxCorners = 7;
@@ -35,67 +40,76 @@ class ConvexPieces {
   /// max_corners: of a piece, 3 .. kMaxCorners; 3 leaves all triangles apart.
   explicit ConvexPieces(const Scene& scene, int max_corners = kMaxCorners);
 
-  [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }
+  [[nodiscard]] IdSpan<PieceId, const Piece> pieces() const { return pieces_; }
 
-  /// Vertex index of every corner.
-  [[nodiscard]] std::span<const int> corners() const { return corners_; }
+  /// The vertex of every corner.
+  [[nodiscard]] IdSpan<EdgeId, const VertexId> corners() const {
+    return corners_;
+  }
 
-  [[nodiscard]] std::span<const int> CornersOf(const Piece& piece) const {
-    return corners().subspan(static_cast<std::size_t>(piece.first_corner),
-                             static_cast<std::size_t>(piece.corner_count));
+  /// The vertices of a piece's corners.
+  [[nodiscard]] std::span<const VertexId> CornersOf(const Piece& piece) const {
+    return corners_.Part(piece.first_corner, piece.corner_count);
+  }
+
+  /// The same, by the piece's id.
+  [[nodiscard]] std::span<const VertexId> CornersOf(PieceId piece) const {
+    return CornersOf(pieces_[piece]);
   }
 
   /// The pieces of a facet; they are consecutive.
-  [[nodiscard]] std::span<const Piece> PiecesOf(int facet) const {
-    const auto f = static_cast<std::size_t>(facet);
-    return pieces().subspan(
-        static_cast<std::size_t>(first_piece_[f]),
-        static_cast<std::size_t>(first_piece_[f + 1] - first_piece_[f]));
+  [[nodiscard]] IdRange<PieceId> PiecesOf(FacetId facet) const {
+    FacetId next = facet;
+    ++next;
+    return {first_piece_[facet],
+            first_piece_[next].value() - first_piece_[facet].value()};
   }
 
-  /// Index of the facet's first piece.
-  [[nodiscard]] int FirstPieceOf(int facet) const {
-    return first_piece_[static_cast<std::size_t>(facet)];
+  /// The facet's first piece.
+  [[nodiscard]] PieceId FirstPieceOf(FacetId facet) const {
+    return first_piece_[facet];
   }
 
   /// The corner after this one around its piece: where the edge that starts at
   /// this one ends.
-  [[nodiscard]] int NextCorner(int corner) const {
-    const Piece& piece = pieces_[static_cast<std::size_t>(PieceOf(corner))];
-    const int last = piece.first_corner + piece.corner_count - 1;
-    return corner == last ? piece.first_corner : corner + 1;
+  [[nodiscard]] EdgeId NextCorner(EdgeId corner) const {
+    const Piece& piece = pieces_[PieceOf(corner)];
+    EdgeId next = corner;
+    ++next;
+    return piece.edges().contains(next) ? next : piece.first_corner;
   }
 
   /// The next edge between the same two vertices, in either direction; the
   /// edge itself if there is no other. Following it visits all of them and
   /// comes back.
-  [[nodiscard]] int NextSameEdge(int edge) const {
-    return next_same_edge_[static_cast<std::size_t>(edge)];
+  [[nodiscard]] EdgeId NextSameEdge(EdgeId edge) const {
+    return next_same_edge_[edge];
   }
 
-  /// Two facets with the same number lie in exactly the same plane. (Of those
-  /// with different numbers nothing is known: only facets that are connected
-  /// by edges are compared.)
-  [[nodiscard]] int PlaneNumber(int facet) const {
-    return plane_number_[static_cast<std::size_t>(facet)];
+  /// The first of the facets that are known to lie in exactly the same plane as
+  /// this one. (Of facets for which it differs nothing is known: only facets
+  /// that are connected by edges are compared.)
+  [[nodiscard]] FacetId FirstInPlaneOf(FacetId facet) const {
+    return first_in_plane_[facet];
   }
 
   /// The piece that an edge or corner belongs to.
-  [[nodiscard]] int PieceOf(int corner) const {
-    return piece_of_[static_cast<std::size_t>(corner)];
+  [[nodiscard]] PieceId PieceOf(EdgeId corner) const {
+    return piece_of_[corner];
   }
 
  private:
-  void AddPiece(std::span<const int> corners, int facet, int triangle);
+  void AddPiece(std::span<const VertexId> corners, FacetId facet,
+                TriangleId triangle);
   void LinkEdges();
-  void NumberPlanes(const Scene& scene);
+  void FindPlanes(const Scene& scene);
 
-  std::vector<Piece> pieces_;
-  std::vector<int> corners_;
-  std::vector<int> piece_of_;        ///< per corner
-  std::vector<int> next_same_edge_;  ///< per corner
-  std::vector<int> first_piece_;     ///< per facet, and one more
-  std::vector<int> plane_number_;    ///< per facet
+  IdVector<PieceId, Piece> pieces_;
+  IdVector<EdgeId, VertexId> corners_;
+  IdVector<EdgeId, PieceId> piece_of_;
+  IdVector<EdgeId, EdgeId> next_same_edge_;
+  IdVector<FacetId, PieceId> first_piece_;  ///< and one more
+  IdVector<FacetId, FacetId> first_in_plane_;
 };
 
 }  // namespace truelux

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "exact/lanes.h"
+#include "exact/recipe.h"
 #include "exact/rounding.h"
 
 namespace truelux {
@@ -66,20 +69,18 @@ std::optional<std::size_t> AxisOf(const Vector& v) {
 
 /// The vertices of a facet: in the order of its ring if it is a triangle or
 /// two triangles with a common edge.
-std::vector<int> VerticesOf(std::span<const Triangle> facet) {
-  std::vector<int> vertices(facet[0].vertices.begin(), facet[0].vertices.end());
-  for (const Triangle& triangle : facet.subspan(1)) {
-    vertices.insert(vertices.end(), triangle.vertices.begin(),
-                    triangle.vertices.end());
+std::vector<VertexId> VerticesOf(std::span<const Triangle> facet) {
+  std::vector<VertexId> vertices;
+  for (const Triangle& triangle : facet) {
+    const std::array<VertexId, 3> corners = CornersOf(triangle);
+    vertices.insert(vertices.end(), corners.begin(), corners.end());
   }
   if (facet.size() == 2) {
-    const std::array<int, 3>& second = facet[1].vertices;
+    const std::array<VertexId, 3> first = CornersOf(facet[0]);
+    const std::array<VertexId, 3> second = CornersOf(facet[1]);
     vertices.resize(3);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (std::ranges::find(facet[0].vertices, second[k]) !=
-          facet[0].vertices.end()) {
-        continue;
-      }
+      if (std::ranges::find(first, second[k]) != first.end()) continue;
       // The ring leaves the new corner for its successor in the triangle.
       const auto next = std::ranges::find(vertices, second[(k + 1) % 3]);
       vertices.insert(next, second[k]);
@@ -98,13 +99,14 @@ ShaftSource::ShaftSource(std::span<const Point3> vertices,
                          std::span<const Triangle> facet) {
   assert(IsRoundingUpward());
   assert(!facet.empty());
-  for (const int vertex : VerticesOf(facet)) {
-    const Point3& p = vertices[static_cast<std::size_t>(vertex)];
+  const IdSpan<VertexId, const Point3> places(vertices);
+  for (const VertexId vertex : VerticesOf(facet)) {
+    const Point3& p = places[vertex];
     points_.push_back({p.x, p.y, p.z});
     box_.Include(p);
   }
   const auto corner = [&](const Triangle& triangle, std::size_t k) {
-    const Point3& p = vertices[static_cast<std::size_t>(triangle.vertices[k])];
+    const Point3& p = places[VertexId(triangle.vertices[k])];
     return Vector{p.x, p.y, p.z};
   };
   const double scale =

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "exact/rounding.h"
 
 namespace truelux {
@@ -102,10 +104,11 @@ Box BoxOf(Items items) {
 
 std::vector<Box> BoxesOf(std::span<const Point3> vertices,
                          std::span<const Triangle> triangles) {
+  const IdSpan<VertexId, const Point3> places(vertices);
   std::vector<Box> boxes(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (const int vertex : triangles[i].vertices)
-      boxes[i].Include(vertices[static_cast<std::size_t>(vertex)]);
+      boxes[i].Include(places[VertexId(vertex)]);
   }
   return boxes;
 }

@@ -7,14 +7,6 @@
 #include <cstdint>
 
 namespace truelux {
-namespace {
-
-std::size_t Index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
-
 template <class Geometry>
 BlockerParts<Geometry>::BlockerParts(const ConvexPieces& pieces,
                                      Geometry& geometry,
@@ -38,8 +30,8 @@ void BlockerParts<Geometry>::Start() {
 }
 
 template <class Geometry>
-bool BlockerParts<Geometry>::MayBlock(int piece, ImageBox& box) {
-  const Piece& p = pieces_.pieces()[Index(piece)];
+bool BlockerParts<Geometry>::MayBlock(PieceId piece, ImageBox& box) {
+  const Piece& p = pieces_.pieces()[piece];
   if (hide_all_ || p.facet == source_.facet()) return false;
   if (source_.IsCoplanar(p.facet) && !source_.IsEarlier(p.facet)) return false;
   return source_.plane().BoxOfVertices(pieces_.CornersOf(p), box) &&
@@ -81,10 +73,11 @@ bool BlockerParts<Geometry>::HidesAll(Cone& cone, const ImageBox& box) {
 /// piece before, of the part after. False if no part of the piece can hide
 /// anything.
 template <class Geometry>
-bool BlockerParts<Geometry>::MakePart(int piece, Part& part, ImageBox& box) {
-  const Piece& p = pieces_.pieces()[Index(piece)];
+bool BlockerParts<Geometry>::MakePart(PieceId piece, Part& part,
+                                      ImageBox& box) {
+  const Piece& p = pieces_.pieces()[piece];
   const auto corners = pieces_.CornersOf(p);
-  if (std::ranges::none_of(corners, [this](int v) {
+  if (std::ranges::none_of(corners, [this](VertexId v) {
         return cones_.HorizonSide(v) == Sign::kPositive;
       })) {
     return false;
@@ -113,7 +106,7 @@ bool BlockerParts<Geometry>::MakePart(int piece, Part& part, ImageBox& box) {
 }
 
 template <class Geometry>
-void BlockerParts<Geometry>::Add(int piece, const ImageBox& box) {
+void BlockerParts<Geometry>::Add(PieceId piece, const ImageBox& box) {
   Part part;
   ImageBox part_box = box;
   if (!MakePart(piece, part, part_box) || IsApart(part.cone, part_box)) return;

@@ -37,11 +37,11 @@ class BlockerParts {
 
   /// Whether a piece may block the source, by its box; cheap. If so, `box` is
   /// its box.
-  bool MayBlock(int piece, ImageBox& box);
+  bool MayBlock(PieceId piece, ImageBox& box);
 
   /// Adds a piece that may block the source. Ignores those that cannot hide
   /// any of it, and pieces whose plane contains r. box: from MayBlock.
-  void Add(int piece, const ImageBox& box);
+  void Add(PieceId piece, const ImageBox& box);
 
   /// Takes out the blockers that lie in the cone of another one; of equal ones
   /// one stays. `bins` hold the blockers' boxes, before and after.
@@ -58,12 +58,12 @@ class BlockerParts {
 
   /// Whether a piece blocks the source with any part of it, hidden by other
   /// blockers or not.
-  [[nodiscard]] bool IsBlocker(int piece) const {
+  [[nodiscard]] bool IsBlocker(PieceId piece) const {
     return is_blocker_.Contains(piece);
   }
 
  private:
-  bool MakePart(int piece, Part& part, ImageBox& box);
+  bool MakePart(PieceId piece, Part& part, ImageBox& box);
   bool IsApart(const Cone& cone, const ImageBox& box);
   bool HidesAll(Cone& cone, const ImageBox& box);
 
@@ -77,7 +77,7 @@ class BlockerParts {
   std::vector<ImageBox> boxes_;
   std::vector<bool> dropped_;  ///< per part, while DropHidden runs
   bool hide_all_ = false;
-  StampedSet is_blocker_;  ///< of pieces
+  StampedSet<PieceId> is_blocker_;
 };
 
 extern template class BlockerParts<ViewGeometry>;

@@ -31,14 +31,14 @@ void ConeMaker<Geometry>::SetReceiver() {
 }
 
 template <class Geometry>
-Sign ConeMaker<Geometry>::ReceiverSide(int piece) {
+Sign ConeMaker<Geometry>::ReceiverSide(PieceId piece) {
   return receiver_sides_.FindOrMake(piece, [&] {
-    return geometry_.ReceiverSide(pieces_.pieces()[Index(piece)].triangle);
+    return geometry_.ReceiverSide(pieces_.pieces()[piece].triangle);
   });
 }
 
 template <class Geometry>
-Sign ConeMaker<Geometry>::HorizonSide(int vertex) {
+Sign ConeMaker<Geometry>::HorizonSide(VertexId vertex) {
   const int direction = geometry_.VertexDirection(vertex);
   if (Index(direction) >= horizon_side_.size()) {
     horizon_side_.resize(Index(direction) + 1);
@@ -48,13 +48,13 @@ Sign ConeMaker<Geometry>::HorizonSide(int vertex) {
 }
 
 template <class Geometry>
-int ConeMaker<Geometry>::EdgePlane(int edge) {
+int ConeMaker<Geometry>::EdgePlane(EdgeId edge) {
   return edge_planes_.FindOrMake(edge, [&] {
-    const int index = pieces_.PieceOf(edge);
     const auto corners = pieces_.corners();
-    VertexId from(corners[Index(edge)]);
-    VertexId to(corners[Index(pieces_.NextCorner(edge))]);
-    if (ReceiverSide(index) != Sign::kPositive) std::swap(from, to);
+    VertexId from = corners[edge];
+    VertexId to = corners[pieces_.NextCorner(edge)];
+    if (ReceiverSide(pieces_.PieceOf(edge)) != Sign::kPositive)
+      std::swap(from, to);
     return geometry_.AddPlane(PlaneRecipe::OfEdge(from, to));
   });
 }
@@ -70,8 +70,8 @@ void ConeMaker<Geometry>::MakePlanes(Cone& cone) {
 }
 
 template <class Geometry>
-Cone ConeMaker<Geometry>::Whole(int piece) {
-  const Piece& p = pieces_.pieces()[Index(piece)];
+Cone ConeMaker<Geometry>::Whole(PieceId piece) {
+  const Piece& p = pieces_.pieces()[piece];
   const auto corners = pieces_.CornersOf(p);
   assert(ReceiverSide(piece) != Sign::kZero);
   // h > 0: the normal points away from r, so that the corners already run
@@ -86,7 +86,7 @@ Cone ConeMaker<Geometry>::Whole(int piece) {
     const std::size_t at = forward ? k : cone.size - 1 - k;
     const std::size_t edge = forward ? k : (2 * cone.size - 2 - k) % cone.size;
     cone.directions[k] = geometry_.VertexDirection(corners[at]);
-    cone.edges[k] = p.first_corner + static_cast<int>(edge);
+    cone.edges[k] = EdgeId(p.first_corner.value() + static_cast<int>(edge));
     cone.planes[k] = Cone::kNoPlane;
   }
   return cone;
@@ -99,7 +99,7 @@ Cone ConeMaker<Geometry>::Whole(int piece) {
 /// (positive) and corner q (negative) meets the cut.
 template <class Geometry>
 template <class MakeCrossing>
-Cone ConeMaker<Geometry>::Clip(int piece, const CornerSigns& sides, int cut,
+Cone ConeMaker<Geometry>::Clip(PieceId piece, const CornerSigns& sides, int cut,
                                const MakeCrossing& crossing) {
   assert(std::ranges::count(sides, Sign::kPositive) > 0);
   assert(std::ranges::count(sides, Sign::kNegative) > 0);
@@ -111,7 +111,7 @@ Cone ConeMaker<Geometry>::Clip(int piece, const CornerSigns& sides, int cut,
   };
   Cone part;
   part.piece = piece;
-  const auto add = [&part](int direction, int plane, int edge) {
+  const auto add = [&part](int direction, int plane, EdgeId edge) {
     part.directions[part.size] = direction;
     part.planes[part.size] = plane;
     part.edges[part.size] = edge;
@@ -138,8 +138,8 @@ Cone ConeMaker<Geometry>::Clip(int piece, const CornerSigns& sides, int cut,
 }
 
 template <class Geometry>
-std::optional<Cone> ConeMaker<Geometry>::AboveHorizon(int piece) {
-  const auto corners = pieces_.CornersOf(pieces_.pieces()[Index(piece)]);
+std::optional<Cone> ConeMaker<Geometry>::AboveHorizon(PieceId piece) {
+  const auto corners = pieces_.CornersOf(piece);
   CornerSigns sides{};
   bool any_above = false;
   bool any_below = false;
@@ -151,25 +151,25 @@ std::optional<Cone> ConeMaker<Geometry>::AboveHorizon(int piece) {
   if (!any_above) return std::nullopt;
   if (!any_below) return Whole(piece);
   return Clip(piece, sides, horizon_, [&](std::size_t p, std::size_t q) {
-    return geometry_.AddDirection(DirectionRecipe::EdgeAtHorizon(
-        VertexId(corners[p]), VertexId(corners[q])));
+    return geometry_.AddDirection(
+        DirectionRecipe::EdgeAtHorizon(corners[p], corners[q]));
   });
 }
 
 template <class Geometry>
-Cone ConeMaker<Geometry>::InFrontOf(int source, int piece,
+Cone ConeMaker<Geometry>::InFrontOf(TriangleId source, PieceId piece,
                                     const CornerSigns& sides) {
   assert(ReceiverSide(piece) != Sign::kZero);
-  const Piece& p = pieces_.pieces()[Index(piece)];
+  const Piece& p = pieces_.pieces()[piece];
   const auto corners = pieces_.CornersOf(p);
   // c = sign(h_T) (h_T N_S - h_S N_T), method.md eq. (5): c . d > 0 where the
   // ray along d meets T in front of the plane of S.
   const int cut = geometry_.AddPlane(
-      PlaneRecipe::OfCut(TriangleId(source), TriangleId(p.triangle))
+      PlaneRecipe::OfCut(source, p.triangle)
           .NegatedIf(ReceiverSide(piece) == Sign::kNegative));
   return Clip(piece, sides, cut, [&](std::size_t i, std::size_t j) {
-    return geometry_.AddDirection(DirectionRecipe::EdgeAtPlane(
-        VertexId(corners[i]), VertexId(corners[j]), TriangleId(source)));
+    return geometry_.AddDirection(
+        DirectionRecipe::EdgeAtPlane(corners[i], corners[j], source));
   });
 }
 

@@ -24,6 +24,7 @@
 #include <span>
 #include <vector>
 
+#include "base/ids.h"
 #include "base/stamped_table.h"
 #include "exact/cached_sign.h"
 #include "exact/view_geometry.h"
@@ -32,7 +33,7 @@
 namespace truelux {
 
 /// The edge of a cone that is no edge of the scene: a cut or a horizon edge.
-inline constexpr int kNoEdge = -1;
+inline constexpr EdgeId kNoEdge;
 
 /// A closed pointed cone, counter-clockwise from r: edge k runs from direction
 /// k to direction k + 1 in plane k, whose normal points inwards and is a
@@ -41,13 +42,13 @@ struct Cone {
   static constexpr std::size_t kMaxEdges = ConvexPieces::kMaxCorners + 1;
   static constexpr int kNoPlane = -1;
 
-  int piece = -1;
+  PieceId piece;
   std::size_t size = 0;
   std::array<int, kMaxEdges> directions{};
   /// Those of scene edges are kNoPlane until ConeMaker::Complete.
   std::array<int, kMaxEdges> planes{};
   int bundle = kNoPlane;  ///< of the planes, in their order; likewise
-  std::array<int, kMaxEdges> edges{};  ///< of ConvexPieces, or kNoEdge
+  std::array<EdgeId, kMaxEdges> edges;  ///< of ConvexPieces, or kNoEdge
 
   /// Direction where edge k begins.
   [[nodiscard]] int From(std::size_t k) const { return directions[k]; }
@@ -73,19 +74,19 @@ class ConeMaker {
   void SetReceiver();
 
   /// Sign of h_t of the piece's plane, asked once per piece.
-  Sign ReceiverSide(int piece);
+  Sign ReceiverSide(PieceId piece);
 
   /// The cone of a whole piece. Requires ReceiverSide != zero.
-  Cone Whole(int piece);
+  Cone Whole(PieceId piece);
 
   /// The part of a piece in n . d >= 0; nothing if no point has n . d > 0.
   /// Requires ReceiverSide != zero.
-  std::optional<Cone> AboveHorizon(int piece);
+  std::optional<Cone> AboveHorizon(PieceId piece);
 
   /// The part of a piece strictly in front of the plane of triangle `source`,
   /// given the signs of VertexSide(source, .) at its corners, of which some
   /// are positive and some negative. Requires ReceiverSide != zero.
-  Cone InFrontOf(int source, int piece, const CornerSigns& sides);
+  Cone InFrontOf(TriangleId source, PieceId piece, const CornerSigns& sides);
 
   /// Makes a cone's planes and their bundle, if that has not been done.
   void Complete(Cone& cone) {
@@ -93,26 +94,26 @@ class ConeMaker {
   }
 
   /// The plane of a scene edge, normal towards its piece.
-  int EdgePlane(int edge);
+  int EdgePlane(EdgeId edge);
 
   /// Id of the plane n . d = 0.
   [[nodiscard]] int horizon() const { return horizon_; }
 
   /// Sign of n . d for the direction to a scene vertex, asked once.
-  Sign HorizonSide(int vertex);
+  Sign HorizonSide(VertexId vertex);
 
  private:
   void MakePlanes(Cone& cone);
 
   template <class MakeCrossing>
-  Cone Clip(int piece, const CornerSigns& sides, int cut,
+  Cone Clip(PieceId piece, const CornerSigns& sides, int cut,
             const MakeCrossing& crossing);
 
   Geometry& geometry_;
   const ConvexPieces& pieces_;
   int horizon_ = -1;
-  StampedTable<Sign> receiver_sides_;     ///< per piece
-  StampedTable<int> edge_planes_;         ///< per edge
+  StampedTable<Sign, PieceId> receiver_sides_;
+  StampedTable<int, EdgeId> edge_planes_;
   std::vector<CachedSign> horizon_side_;  ///< per direction id
 };
 

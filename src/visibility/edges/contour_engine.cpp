@@ -22,27 +22,22 @@ ContourEngine::ContourEngine(const Scene& scene)
       pieces_(scene),
       triangle_normals_(
           FilteredTriangleNormals(scene.vertices(), scene.triangles())) {
-  std::vector<Box> boxes(pieces_.pieces().size());
-  for (std::size_t p = 0; p < boxes.size(); ++p) {
-    for (const int vertex : pieces_.CornersOf(pieces_.pieces()[p]))
-      boxes[p].Include(scene.vertices()[static_cast<std::size_t>(vertex)]);
+  IdVector<PieceId, Box> boxes(pieces_.pieces().size());
+  for (const PieceId piece : boxes.ids()) {
+    for (const VertexId vertex : pieces_.CornersOf(piece))
+      boxes[piece].Include(VerticesOf(scene)[vertex]);
   }
-  tree_ = TriangleTree(boxes);
-  const auto facets = scene.facets();
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    const auto face = static_cast<std::size_t>(facets[f].face);
-    if (!Emits(scene.faces()[face])) continue;
-    const int facet = static_cast<int>(f);
+  tree_ = TriangleTree(boxes.values());
+  const auto facets = FacetsOf(scene);
+  for (const FacetId facet : facets.ids()) {
+    if (!Emits(FacesOf(scene)[FaceOf(facets[facet])])) continue;
     emitters_.push_back({facet, ShaftsTo(facet)});
   }
 }
 
-ShaftSource ContourEngine::ShaftsTo(int facet) const {
+ShaftSource ContourEngine::ShaftsTo(FacetId facet) const {
   const RoundUpward rounding;
-  const Facet& f = scene_.facets()[static_cast<std::size_t>(facet)];
-  return {scene_.vertices(), scene_.triangles().subspan(
-                                 static_cast<std::size_t>(f.first_triangle),
-                                 static_cast<std::size_t>(f.triangle_count))};
+  return {scene_.vertices(), TrianglesOf(scene_, FacetsOf(scene_)[facet])};
 }
 
 Contour ContourEngine::Build(const ContourQuery& query) const {
@@ -92,7 +87,7 @@ class BasicContourBuilder<kKind>::Impl {
     blocker_count_ = 0;
     const Receiver& receiver = query.receiver;
     if (!query.only_source.valid()) {
-      for (std::size_t e = 0; e < engine_.emitters().size(); ++e) {
+      for (const EmitterId e : engine_.emitters().ids()) {
         const ContourEngine::Emitter& emitter = engine_.emitters()[e];
         if (!StartSource(emitter.facet)) continue;
         AddPieces(emitter.shafts, receiver, CutOf(e));
@@ -101,9 +96,9 @@ class BasicContourBuilder<kKind>::Impl {
     } else {
       const FaceId face = IndexOf(query.only_source);
       for (const FacetId f : FacetsOf(FacesOf(engine_.scene())[face])) {
-        if (!StartSource(f.value())) continue;
-        AddPieces(engine_.ShaftsTo(f.value()), receiver, nullptr);
-        FinishSource(f.value());
+        if (!StartSource(f)) continue;
+        AddPieces(engine_.ShaftsTo(f), receiver, nullptr);
+        FinishSource(f);
       }
     }
     const std::size_t all_arcs = arcs_of_all_.size();
@@ -127,13 +122,13 @@ class BasicContourBuilder<kKind>::Impl {
   /// The arcs of a facet end before entry `end` of all arcs, where those of
   /// the next one begin.
   struct SourceEnd {
-    int facet;
+    FacetId facet;
     std::size_t end;
   };
 
   /// False if nothing of the facet can be seen.
-  bool StartSource(int facet) {
-    if (ignored_.IsIgnored(FacetId(facet)) ||
+  bool StartSource(FacetId facet) {
+    if (ignored_.IsIgnored(facet) ||
         cones_.ReceiverSide(engine_.pieces().FirstPieceOf(facet)) !=
             Sign::kNegative ||
         !source_.SetSource(facet)) {
@@ -148,7 +143,7 @@ class BasicContourBuilder<kKind>::Impl {
   void AddPieces(const ShaftSource& shafts, const Receiver& receiver,
                  const TreeCut* cut) {
     const Shaft shaft(shafts, Box::Of(receiver.position), receiver.normal);
-    const auto add = [this](int piece) { AddPiece(piece); };
+    const auto add = [this](int piece) { AddPiece(PieceId(piece)); };
     if (cut == nullptr) {
       engine_.tree().Visit(shaft, add);
     } else {
@@ -156,14 +151,14 @@ class BasicContourBuilder<kKind>::Impl {
     }
   }
 
-  void AddPiece(int piece) {
+  void AddPiece(PieceId piece) {
     ImageBox box;
     if (!blockers_.MayBlock(piece, box)) return;
-    const Piece& p = engine_.pieces().pieces()[static_cast<std::size_t>(piece)];
-    if (!ignored_.IsIgnored(FacetId(p.facet))) blockers_.Add(piece, box);
+    const Piece& p = engine_.pieces().pieces()[piece];
+    if (!ignored_.IsIgnored(p.facet)) blockers_.Add(piece, box);
   }
 
-  void FinishSource(int facet) {
+  void FinishSource(FacetId facet) {
     arcs_.AppendArcs(arcs_of_all_);
     blocker_count_ += blockers_.parts().size();
     ends_.push_back({facet, arcs_of_all_.size()});
@@ -184,16 +179,15 @@ class BasicContourBuilder<kKind>::Impl {
   }
 
   /// What the block's receivers share; null without a block.
-  const TreeCut* CutOf(std::size_t emitter) {
+  const TreeCut* CutOf(EmitterId emitter) {
     if (!in_block_) return nullptr;
     cuts_.Cover(engine_.emitters().size());
-    const int key = static_cast<int>(emitter);
-    if (!cuts_.Has(key)) {
+    if (!cuts_.Has(emitter)) {
       engine_.tree().Narrow(
           Shaft(engine_.emitters()[emitter].shafts, block_box_, block_normal_),
-          cuts_.Renew(key));
+          cuts_.Renew(emitter));
     }
-    return &cuts_[key];
+    return &cuts_[emitter];
   }
 
   const ContourEngine& engine_;
@@ -214,8 +208,8 @@ class BasicContourBuilder<kKind>::Impl {
 
   bool in_block_ = false;
   Box block_box_;
-  std::optional<Vector3> block_normal_;  ///< if all receivers share it
-  StampedTable<TreeCut> cuts_;           ///< per emitter, of the block
+  std::optional<Vector3> block_normal_;    ///< if all receivers share it
+  StampedTable<TreeCut, EmitterId> cuts_;  ///< of the block
 };
 
 template <PredicateKind kKind>

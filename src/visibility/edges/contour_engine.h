@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "exact/filter.h"
 #include "exact/predicate_kind.h"
 #include "scene/index/convex_pieces.h"
@@ -16,6 +18,9 @@
 #include "visibility/contour.h"
 
 namespace truelux {
+
+/// Index into ContourEngine::emitters().
+using EmitterId = Id<struct EmitterTag>;
 
 /// What the contour engine knows of a scene, whatever the receiver. Immutable.
 class ContourEngine {
@@ -31,21 +36,24 @@ class ContourEngine {
 
   [[nodiscard]] const ConvexPieces& pieces() const { return pieces_; }
 
-  [[nodiscard]] std::span<const FilteredPlane> triangle_normals() const {
+  [[nodiscard]] IdSpan<TriangleId, const FilteredPlane> triangle_normals()
+      const {
     return triangle_normals_;
   }
 
   /// A facet of a face that emits.
   struct Emitter {
-    int facet = 0;
+    FacetId facet;
     ShaftSource shafts;
   };
 
   /// The facets of the faces that emit, in their order.
-  [[nodiscard]] std::span<const Emitter> emitters() const { return emitters_; }
+  [[nodiscard]] IdSpan<EmitterId, const Emitter> emitters() const {
+    return emitters_;
+  }
 
   /// What the shafts towards a facet have in common.
-  [[nodiscard]] ShaftSource ShaftsTo(int facet) const;
+  [[nodiscard]] ShaftSource ShaftsTo(FacetId facet) const;
 
   /// The boxes of the pieces.
   [[nodiscard]] const TriangleTree& tree() const { return tree_; }
@@ -53,9 +61,9 @@ class ContourEngine {
  private:
   Scene scene_;
   ConvexPieces pieces_;
-  std::vector<FilteredPlane> triangle_normals_;
+  IdVector<TriangleId, FilteredPlane> triangle_normals_;
   TriangleTree tree_;
-  std::vector<Emitter> emitters_;
+  IdVector<EmitterId, Emitter> emitters_;
 };
 
 /// Finds visible contours in one scene, one receiver after the other; every

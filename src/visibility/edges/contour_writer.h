@@ -37,13 +37,13 @@ class ContourWriter {
     direction_index_.clear();
   }
 
-  void WriteSource(int facet, std::span<const ViewArc> arcs) {
+  void WriteSource(FacetId facet, std::span<const ViewArc> arcs) {
     if (arcs.empty()) return;
     plane_index_.resize(static_cast<std::size_t>(geometry_.plane_count()));
     direction_index_.resize(
         static_cast<std::size_t>(geometry_.direction_count()));
-    contour_->sources.push_back({FacetId(facet), contour_->arcs.end_id(),
-                                 static_cast<int>(arcs.size())});
+    contour_->sources.push_back(
+        {facet, contour_->arcs.end_id(), static_cast<int>(arcs.size())});
     for (const ViewArc& arc : arcs)
       WriteArc(arc);
   }
@@ -56,9 +56,8 @@ class ContourWriter {
     arc.from = Position(view_arc.edge, view_arc.piece.begin);
     arc.to = Position(view_arc.edge, view_arc.piece.end);
     if (!arc.positive) std::swap(arc.from, arc.to);
-    if (view_arc.owner >= 0) {
-      const FacetId facet(
-          pieces_.pieces()[static_cast<std::size_t>(view_arc.owner)].facet);
+    if (view_arc.owner.valid()) {
+      const FacetId facet = pieces_.pieces()[view_arc.owner].facet;
       arc.edge_face = NumberOf(FaceOf(scene_, facet));
     }
     contour_->arcs.push_back(arc);

@@ -2,17 +2,10 @@
 #include "visibility/edges/source_cones.h"
 
 #include <cassert>
-#include <cstddef>
+
+#include "scene/scene_access.h"
 
 namespace truelux {
-namespace {
-
-std::size_t Index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
-
 template <class Geometry>
 SourceCones<Geometry>::SourceCones(const Scene& scene,
                                    const ConvexPieces& pieces,
@@ -26,19 +19,16 @@ SourceCones<Geometry>::SourceCones(const Scene& scene,
       is_source_(pieces.pieces().size()) {}
 
 template <class Geometry>
-bool SourceCones<Geometry>::SetSource(int facet) {
-  const int first = pieces_.FirstPieceOf(facet);
-  assert(cones_.ReceiverSide(first) == Sign::kNegative);
+bool SourceCones<Geometry>::SetSource(FacetId facet) {
+  assert(cones_.ReceiverSide(pieces_.FirstPieceOf(facet)) == Sign::kNegative);
   facet_ = facet;
   parts_.clear();
   boxes_.clear();
   is_source_.Clear();
-  plane_.Start(scene_.facets()[Index(facet)].first_triangle);
-  const auto count = static_cast<int>(pieces_.PiecesOf(facet).size());
-  for (int piece = first; piece < first + count; ++piece) {
-    for (const int vertex : pieces_.CornersOf(pieces_.pieces()[Index(piece)])) {
+  plane_.Start(FirstTriangleOf(FacetsOf(scene_)[facet]));
+  for (const PieceId piece : pieces_.PiecesOf(facet)) {
+    for (const VertexId vertex : pieces_.CornersOf(piece))
       plane_.MarkInPlane(vertex);
-    }
     if (auto cone = cones_.AboveHorizon(piece)) {
       cones_.Complete(*cone);
       parts_.push_back({*cone, {}});
@@ -55,9 +45,8 @@ bool SourceCones<Geometry>::SetSource(int facet) {
 }
 
 template <class Geometry>
-bool SourceCones<Geometry>::IsEarlier(int facet) const {
-  const auto facets = scene_.facets();
-  return facets[Index(facet)].face < facets[Index(facet_)].face;
+bool SourceCones<Geometry>::IsEarlier(FacetId facet) const {
+  return FaceOf(scene_, facet) < FaceOf(scene_, facet_);
 }
 
 template class SourceCones<ViewGeometry>;

@@ -31,7 +31,7 @@ class SourceCones {
 
   /// Chooses the source. False if nothing of it is above the horizon. Requires
   /// r strictly in front of the facet.
-  bool SetSource(int facet);
+  bool SetSource(FacetId facet);
 
   /// The pieces of the source above the horizon, each a complete cone.
   [[nodiscard]] std::span<Part> parts() { return parts_; }
@@ -46,22 +46,22 @@ class SourceCones {
   [[nodiscard]] SourcePlane<Geometry>& plane() { return plane_; }
 
   /// The facet that is the source.
-  [[nodiscard]] int facet() const { return facet_; }
+  [[nodiscard]] FacetId facet() const { return facet_; }
 
   /// Whether a piece is one of parts().
-  [[nodiscard]] bool IsSource(int piece) const {
+  [[nodiscard]] bool IsSource(PieceId piece) const {
     return is_source_.Contains(piece);
   }
 
   /// Whether a facet is known, without arithmetic, to lie in the plane of the
   /// source.
-  [[nodiscard]] bool IsCoplanar(int facet) const {
-    return pieces_.PlaneNumber(facet) == pieces_.PlaneNumber(facet_);
+  [[nodiscard]] bool IsCoplanar(FacetId facet) const {
+    return pieces_.FirstInPlaneOf(facet) == pieces_.FirstInPlaneOf(facet_);
   }
 
   /// Whether a facet's face comes before the source's: of two faces in one
   /// plane the earlier one hides the other.
-  [[nodiscard]] bool IsEarlier(int facet) const;
+  [[nodiscard]] bool IsEarlier(FacetId facet) const;
 
  private:
   const Scene& scene_;
@@ -69,12 +69,12 @@ class SourceCones {
   Geometry& geometry_;
   ConeMaker<Geometry>& cones_;
 
-  int facet_ = -1;
+  FacetId facet_;
   SourcePlane<Geometry> plane_;
   std::vector<Part> parts_;
   std::vector<ImageBox> boxes_;
   ImageBox box_;
-  StampedSet is_source_;  ///< of pieces
+  StampedSet<PieceId> is_source_;
 };
 
 extern template class SourceCones<ViewGeometry>;

@@ -33,8 +33,8 @@ SourceContour<Geometry>::SourceContour(const ConvexPieces& pieces,
 /// Whether both sides of a source's edge are source: the pieces on both its
 /// sides survived the horizon.
 template <class Geometry>
-bool SourceContour<Geometry>::IsDiagonal(int edge) const {
-  for (int other = pieces_.NextSameEdge(edge); other != edge;
+bool SourceContour<Geometry>::IsDiagonal(EdgeId edge) const {
+  for (EdgeId other = pieces_.NextSameEdge(edge); other != edge;
        other = pieces_.NextSameEdge(other)) {
     if (source_.IsSource(pieces_.PieceOf(other))) return true;
   }
@@ -45,18 +45,18 @@ bool SourceContour<Geometry>::IsDiagonal(int edge) const {
 /// Seen from r both run counter-clockwise, so that they lie on opposite sides
 /// exactly if they run through the edge in opposite directions.
 template <class Geometry>
-bool SourceContour<Geometry>::IsInner(int edge) {
-  const auto start = [this](int e, int piece) {
+bool SourceContour<Geometry>::IsInner(EdgeId edge) {
+  const auto start = [this](EdgeId e, PieceId piece) {
     // The corner where the edge starts, seen counter-clockwise from r.
     const bool forward = cones_.ReceiverSide(piece) == Sign::kPositive;
-    return pieces_.corners()[Index(forward ? e : pieces_.NextCorner(e))];
+    return pieces_.corners()[forward ? e : pieces_.NextCorner(e)];
   };
-  int own_start = -1;
-  for (int other = pieces_.NextSameEdge(edge); other != edge;
+  VertexId own_start;
+  for (EdgeId other = pieces_.NextSameEdge(edge); other != edge;
        other = pieces_.NextSameEdge(other)) {
-    const int piece = pieces_.PieceOf(other);
+    const PieceId piece = pieces_.PieceOf(other);
     if (!blockers_.IsBlocker(piece)) continue;
-    if (own_start < 0) own_start = start(edge, pieces_.PieceOf(edge));
+    if (!own_start.valid()) own_start = start(edge, pieces_.PieceOf(edge));
     if (start(other, piece) != own_start) return true;
   }
   return false;
@@ -67,7 +67,7 @@ void SourceContour<Geometry>::NumberEdges(std::span<Part> parts,
                                           bool are_blockers, int& next) {
   for (Part& part : parts) {
     for (std::size_t k = 0; k < part.cone.size; ++k) {
-      const int edge = part.cone.edges[k];
+      const EdgeId edge = part.cone.edges[k];
       const bool left_out =
           edge != kNoEdge && (are_blockers ? IsInner(edge) : IsDiagonal(edge));
       part.candidates[k] = left_out ? Part::kNoCandidate : next++;
@@ -200,7 +200,7 @@ void SourceContour<Geometry>::AddArc(const Owner& owner, std::size_t k,
                                      const VisiblePiece& piece) {
   const bool horizon = edges_[k].plane == cones_.horizon();
   const Cone& cone = owner.part->cone;
-  arcs_->push_back({edges_[k], piece, horizon ? -1 : cone.piece,
+  arcs_->push_back({edges_[k], piece, horizon ? PieceId() : cone.piece,
                     owner.is_blocker ? kNoEdge : cone.edges[k]});
 }
 

@@ -29,8 +29,8 @@ namespace truelux {
 struct ViewArc {
   ViewEdge edge;
   VisiblePiece piece;
-  int owner = -1;          ///< the piece whose edge it is; -1: the horizon
-  int own_edge = kNoEdge;  ///< the source's edge that it lies on, or kNoEdge
+  PieceId owner;    ///< the piece whose edge it is; none: the horizon
+  EdgeId own_edge;  ///< the source's edge that it lies on, or none
 };
 
 /// Finds the arcs of a source from its cones and its blockers.
@@ -57,8 +57,8 @@ class SourceContour {
 
   void NumberCandidates();
   void NumberEdges(std::span<Part> parts, bool are_blockers, int& next);
-  bool IsDiagonal(int edge) const;
-  bool IsInner(int edge);
+  bool IsDiagonal(EdgeId edge) const;
+  bool IsInner(EdgeId edge);
   static bool IsOwnedBefore(const Part& part, const Cover& cover, int id);
 
   void SweepPart(const Owner& owner);

@@ -12,6 +12,7 @@
 #include "truelux/scene.h"
 
 #include "scene/index/convex_pieces.h"
+#include "scene/scene_access.h"
 #include "visibility/edges/source_contour.h"
 
 namespace truelux {
@@ -31,7 +32,7 @@ class SourceJoin {
     dropped.assign(arcs.size(), false);
     open_.clear();
     for (std::size_t i = 0; i < arcs.size(); ++i) {
-      const int edge = arcs[i].own_edge;
+      const EdgeId edge = arcs[i].own_edge;
       if (edge != kNoEdge && IsShared(edge)) open_.push_back({Name(edge), i});
     }
     // Arcs of one edge come together, in their order.
@@ -56,29 +57,27 @@ class SourceJoin {
  private:
   /// An arc on a shared edge.
   struct Open {
-    int edge;  ///< the same number for all edges between the same vertices
+    EdgeId edge;  ///< the same for all edges between the same vertices
     std::size_t arc;
   };
 
-  [[nodiscard]] const Rgb& EmissionAt(int edge) const {
-    const Piece& piece =
-        pieces_.pieces()[static_cast<std::size_t>(pieces_.PieceOf(edge))];
-    const Facet& facet = scene_.facets()[static_cast<std::size_t>(piece.facet)];
-    return scene_.faces()[static_cast<std::size_t>(facet.face)].emission;
+  [[nodiscard]] const Rgb& EmissionAt(EdgeId edge) const {
+    const Piece& piece = pieces_.pieces()[pieces_.PieceOf(edge)];
+    return FacesOf(scene_)[FaceOf(scene_, piece.facet)].emission;
   }
 
   /// Whether some other piece with this edge emits the same.
-  [[nodiscard]] bool IsShared(int edge) const {
-    for (int other = pieces_.NextSameEdge(edge); other != edge;
+  [[nodiscard]] bool IsShared(EdgeId edge) const {
+    for (EdgeId other = pieces_.NextSameEdge(edge); other != edge;
          other = pieces_.NextSameEdge(other)) {
       if (EmissionAt(other) == EmissionAt(edge)) return true;
     }
     return false;
   }
 
-  [[nodiscard]] int Name(int edge) const {
-    int least = edge;
-    for (int other = pieces_.NextSameEdge(edge); other != edge;
+  [[nodiscard]] EdgeId Name(EdgeId edge) const {
+    EdgeId least = edge;
+    for (EdgeId other = pieces_.NextSameEdge(edge); other != edge;
          other = pieces_.NextSameEdge(other)) {
       least = std::min(least, other);
     }

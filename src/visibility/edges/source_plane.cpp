@@ -4,7 +4,7 @@
 namespace truelux {
 
 template <class Geometry>
-void SourcePlane<Geometry>::Start(int triangle) {
+void SourcePlane<Geometry>::Start(TriangleId triangle) {
   triangle_ = triangle;
   chart_ = ImageChart(geometry_.TriangleNormalFilter(triangle));
   entries_.Clear();
@@ -20,7 +20,7 @@ auto SourcePlane<Geometry>::MakeEntry(int direction) -> Entry& {
 }
 
 template <class Geometry>
-bool SourcePlane<Geometry>::BoxOfVertices(std::span<const int> vertices,
+bool SourcePlane<Geometry>::BoxOfVertices(std::span<const VertexId> vertices,
                                           ImageBox& box) {
   bool misses = true;
   for (std::size_t k = 0; k < vertices.size(); ++k) {

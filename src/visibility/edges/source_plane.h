@@ -25,15 +25,15 @@ class SourcePlane {
   explicit SourcePlane(Geometry& geometry) : geometry_(geometry) {}
 
   /// Starts with the plane of a triangle, which r is in front of.
-  void Start(int triangle);
+  void Start(TriangleId triangle);
 
   /// The triangle that carries the plane.
-  [[nodiscard]] int triangle() const { return triangle_; }
+  [[nodiscard]] TriangleId triangle() const { return triangle_; }
 
   /// Makes `box` contain the images of some vertices, at least one, and so of
   /// their hull. False if certainly none of the directions to them ever meets
   /// the plane.
-  bool BoxOfVertices(std::span<const int> vertices, ImageBox& box);
+  bool BoxOfVertices(std::span<const VertexId> vertices, ImageBox& box);
 
   /// A box that contains the image of a cone.
   ImageBox BoxOf(const Cone& cone);
@@ -42,12 +42,12 @@ class SourcePlane {
   ImageBox BoxOfEdge(int from, int to);
 
   /// Notes that a vertex is known, without arithmetic, to lie in the plane.
-  void MarkInPlane(int vertex) {
+  void MarkInPlane(VertexId vertex) {
     EntryOf(geometry_.VertexDirection(vertex)).side = CachedSign(Sign::kZero);
   }
 
   /// Sign of VertexSide to the plane, asked once.
-  Sign SideOf(int vertex) {
+  Sign SideOf(VertexId vertex) {
     return EntryOf(geometry_.VertexDirection(vertex)).side.Get([&] {
       return geometry_.VertexSide(triangle_, vertex);
     });
@@ -70,7 +70,7 @@ class SourcePlane {
   Entry& MakeEntry(int direction);
 
   Geometry& geometry_;
-  int triangle_ = -1;
+  TriangleId triangle_;
   ImageChart chart_;
   StampedTable<Entry> entries_;  ///< per direction id
 };

@@ -4,6 +4,7 @@
 #ifndef TRUELUX_VISIBILITY_VIEW_EDGE_HIT_H_
 #define TRUELUX_VISIBILITY_VIEW_EDGE_HIT_H_
 
+#include "base/ids.h"
 #include "exact/number.h"
 #include "exact/vec3.h"
 #include "visibility/view/seen_edge.h"
@@ -14,7 +15,7 @@ namespace truelux {
 /// or ends there.
 struct EdgeHit {
   Vec3<Exact> plane;  ///< normal of the edge's plane through r
-  int vertex = -1;    ///< the scene vertex where it ends there, or -1
+  VertexId vertex;    ///< the scene vertex where it ends there, or none
   SeenEdge edge;
 };
 

@@ -17,10 +17,10 @@ std::size_t Index(int i) {
 
 /// An edge of one triangle, the one between its corner k and the next.
 struct EdgeUse {
-  int a = -1;
-  int b = -1;
-  int triangle = -1;
-  int k = 0;
+  VertexId a;
+  VertexId b;
+  TriangleId triangle;
+  std::size_t k = 0;
   Sign side = Sign::kZero;  ///< as in EdgeNeighbour
 
   friend bool operator<(const EdgeUse& x, const EdgeUse& y) {
@@ -28,13 +28,10 @@ struct EdgeUse {
   }
 };
 
-DirectionRecipe VertexRecipe(int v) {
-  return DirectionRecipe::ToVertex(VertexId(v));
-}
-
 }  // namespace
 
-EdgeIndex::EdgeIndex(const ContourQuery& query, std::span<const int> triangles)
+EdgeIndex::EdgeIndex(const ContourQuery& query,
+                     std::span<const TriangleId> triangles)
     : query_(query),
       sides_(ViewOf(query)),
       exact_(ViewOf(query)),
@@ -45,25 +42,24 @@ EdgeIndex::EdgeIndex(const ContourQuery& query, std::span<const int> triangles)
   AddEdges();
   const RoundUpward rounding;
   for (const Edge& edge : edges_) {
-    planes_.push_back(Cross(interval_.FromReceiver(VertexId(edge.a)),
-                            interval_.FromReceiver(VertexId(edge.b))));
+    planes_.push_back(
+        Cross(interval_.FromReceiver(edge.a), interval_.FromReceiver(edge.b)));
   }
 }
 
 /// Sorts the edges of all triangles, so that equal ones become neighbours.
 void EdgeIndex::AddEdges() {
   std::vector<EdgeUse> uses;
-  for (const int t : triangles_) {
-    const auto& vertices = query_.scene.triangles()[Index(t)].vertices;
+  for (const TriangleId t : triangles_) {
+    const auto vertices = CornersOf(TrianglesOf(query_.scene)[t]);
     // (from x to) . third is the triangle's height h.
-    const Sign height = sides_.OfReceiver(TriangleId(t));
+    const Sign height = sides_.OfReceiver(t);
     assert(height != Sign::kZero);
     for (std::size_t k = 0; k < 3; ++k) {
-      const int from = vertices[k];
-      const int to = vertices[(k + 1) % 3];
+      const VertexId from = vertices[k];
+      const VertexId to = vertices[(k + 1) % 3];
       const auto [a, b] = std::minmax(from, to);
-      uses.push_back(
-          {a, b, t, static_cast<int>(k), from == a ? height : -height});
+      uses.push_back({a, b, t, k, from == a ? height : -height});
     }
   }
   std::ranges::sort(uses, [](const auto& x, const auto& y) { return x < y; });
@@ -72,56 +68,59 @@ void EdgeIndex::AddEdges() {
       edges_.push_back({use.a, use.b, static_cast<int>(neighbours_.size()), 0});
     ++edges_.back().neighbour_count;
     neighbours_.push_back({use.triangle, use.side});
-    edges_of_[Index(use.triangle)][Index(use.k)] = {edge_count() - 1, use.side};
+    edges_of_[use.triangle][use.k] = {SceneEdgeId(edges_.end_id().value() - 1),
+                                      use.side};
   }
 }
 
-int EdgeIndex::FacetOf(int triangle) const {
-  return query_.scene.triangles()[Index(triangle)].facet;
+FacetId EdgeIndex::FacetOf(TriangleId triangle) const {
+  return truelux::FacetOf(TrianglesOf(query_.scene)[triangle]);
 }
 
-int EdgeIndex::FaceNumber(int facet) const {
-  return query_.scene.facets()[Index(facet)].face + 1;
+int EdgeIndex::FaceNumber(FacetId facet) const {
+  return NumberOf(FaceOf(query_.scene, facet)).value();
 }
 
-const Vec3<Interval>& EdgeIndex::RoughPlane(int edge) const {
-  return planes_[Index(edge)];
+const Vec3<Interval>& EdgeIndex::RoughPlane(SceneEdgeId edge) const {
+  return planes_[edge];
 }
 
-std::span<const EdgeNeighbour> EdgeIndex::NeighboursOf(int edge) const {
-  const Edge& e = edges_[Index(edge)];
+std::span<const EdgeNeighbour> EdgeIndex::NeighboursOf(SceneEdgeId edge) const {
+  const Edge& e = edges_[edge];
   return std::span(neighbours_)
       .subspan(Index(e.first_neighbour), Index(e.neighbour_count));
 }
 
-const std::array<TriangleEdge, 3>& EdgeIndex::EdgesOf(int triangle) const {
-  return edges_of_[Index(triangle)];
+const std::array<TriangleEdge, 3>& EdgeIndex::EdgesOf(
+    TriangleId triangle) const {
+  return edges_of_[triangle];
 }
 
 /// By the first face that has the edge.
-SeenEdge EdgeIndex::NameOf(int edge) const {
+SeenEdge EdgeIndex::NameOf(SceneEdgeId edge) const {
   const auto neighbours = NeighboursOf(edge);
   int face = FaceNumber(FacetOf(neighbours.front().triangle));
   for (const EdgeNeighbour& n : neighbours)
     face = std::min(face, FaceNumber(FacetOf(n.triangle)));
-  return {face, edges_[Index(edge)].a, edges_[Index(edge)].b, 0};
+  return {face, edges_[edge].a.value(), edges_[edge].b.value(), 0};
 }
 
-Segment EdgeIndex::SegmentOf(int edge) const {
-  const Edge& e = edges_[Index(edge)];
-  return {VertexRecipe(e.a), VertexRecipe(e.b), e.a, e.b, NameOf(edge)};
+Segment EdgeIndex::SegmentOf(SceneEdgeId edge) const {
+  const Edge& e = edges_[edge];
+  return {DirectionRecipe::ToVertex(e.a), DirectionRecipe::ToVertex(e.b), e.a,
+          e.b, NameOf(edge)};
 }
 
 /// Whether a triangle is of the source or can hide some of it.
-bool EdgeIndex::Matters(int triangle, const FacetFront& source) const {
+bool EdgeIndex::Matters(TriangleId triangle, const FacetFront& source) const {
   return FacetOf(triangle) == source.facet() || source.CanBeHiddenBy(triangle);
 }
 
-bool EdgeIndex::GoesOn(int edge, const EdgeNeighbour& neighbour,
+bool EdgeIndex::GoesOn(SceneEdgeId edge, const EdgeNeighbour& neighbour,
                        const FacetFront& source) const {
-  const int own = FacetOf(neighbour.triangle);
+  const FacetId own = FacetOf(neighbour.triangle);
   return std::ranges::any_of(NeighboursOf(edge), [&](const auto& other) {
-    const int beyond = FacetOf(other.triangle);
+    const FacetId beyond = FacetOf(other.triangle);
     const bool is_diagonal = own == beyond;
     const bool both_hide = own != source.facet() && beyond != source.facet();
     return (is_diagonal || both_hide) &&
@@ -130,19 +129,19 @@ bool EdgeIndex::GoesOn(int edge, const EdgeNeighbour& neighbour,
   });
 }
 
-bool EdgeIndex::CouldBound(int edge, const FacetFront& source) const {
+bool EdgeIndex::CouldBound(SceneEdgeId edge, const FacetFront& source) const {
   return std::ranges::any_of(NeighboursOf(edge), [&](const auto& n) {
     return Matters(n.triangle, source) && !GoesOn(edge, n, source);
   });
 }
 
-std::optional<Segment> EdgeIndex::CutOf(int triangle,
+std::optional<Segment> EdgeIndex::CutOf(TriangleId triangle,
                                         const FacetFront& source) const {
   if (FacetOf(triangle) == source.facet()) return std::nullopt;
   return source.CutOf(triangle);
 }
 
-bool EdgeIndex::IsDiagonal(int edge) const {
+bool EdgeIndex::IsDiagonal(SceneEdgeId edge) const {
   const auto neighbours = NeighboursOf(edge);
   const auto face_of = [this](const EdgeNeighbour& n) {
     return FaceNumber(FacetOf(n.triangle));
@@ -155,18 +154,20 @@ bool EdgeIndex::IsDiagonal(int edge) const {
   });
 }
 
-std::optional<SeenEdge> EdgeIndex::AlongArc(int facet, const Vec3<Exact>& from,
+std::optional<SeenEdge> EdgeIndex::AlongArc(FacetId facet,
+                                            const Vec3<Exact>& from,
                                             const Vec3<Exact>& to) const {
-  const Facet& f = query_.scene.facets()[Index(facet)];
-  for (int t = f.first_triangle; t < f.first_triangle + f.triangle_count; ++t) {
+  const Facet& f = FacetsOf(query_.scene)[facet];
+  for (const TriangleId t :
+       IdRange<TriangleId>(FirstTriangleOf(f), f.triangle_count)) {
     for (const TriangleEdge& own : EdgesOf(t)) {
       const auto in_facet = std::ranges::count_if(
           NeighboursOf(own.edge),
           [&](const auto& n) { return FacetOf(n.triangle) == facet; });
       if (in_facet > 1) continue;
-      const Edge& edge = edges_[Index(own.edge)];
-      const Vec3<Exact> a = exact_.FromReceiver(VertexId(edge.a));
-      const Vec3<Exact> b = exact_.FromReceiver(VertexId(edge.b));
+      const Edge& edge = edges_[own.edge];
+      const Vec3<Exact> a = exact_.FromReceiver(edge.a);
+      const Vec3<Exact> b = exact_.FromReceiver(edge.b);
       if (PointOnArc(a, b, from) && PointOnArc(a, b, to))
         return NameOf(own.edge);
     }
@@ -174,10 +175,11 @@ std::optional<SeenEdge> EdgeIndex::AlongArc(int facet, const Vec3<Exact>& from,
   return std::nullopt;
 }
 
-Sign EdgeIndex::DepthOrder(int facet, int other, const Vec3<Exact>& d) const {
+Sign EdgeIndex::DepthOrder(FacetId facet, FacetId other,
+                           const Vec3<Exact>& d) const {
   const auto facets = FacetsOf(query_.scene);
-  const TriangleId t = FirstTriangleOf(facets[FacetId(facet)]);
-  const TriangleId u = FirstTriangleOf(facets[FacetId(other)]);
+  const TriangleId t = FirstTriangleOf(facets[facet]);
+  const TriangleId u = FirstTriangleOf(facets[other]);
   const Exact h = exact_.Height(t);
   const Exact h_other = exact_.Height(u);
   const Exact slope = Dot(exact_.TriangleNormal(t), d);
@@ -188,10 +190,10 @@ Sign EdgeIndex::DepthOrder(int facet, int other, const Vec3<Exact>& d) const {
          SignOf(h_other);
 }
 
-Vec3<Exact> EdgeIndex::MeetingPlane(int facet, int other) const {
+Vec3<Exact> EdgeIndex::MeetingPlane(FacetId facet, FacetId other) const {
   const auto facets = FacetsOf(query_.scene);
-  const TriangleId t = FirstTriangleOf(facets[FacetId(facet)]);
-  const TriangleId u = FirstTriangleOf(facets[FacetId(other)]);
+  const TriangleId t = FirstTriangleOf(facets[facet]);
+  const TriangleId u = FirstTriangleOf(facets[other]);
   return exact_.Plane(PlaneRecipe::OfCut(t, u), {});
 }
 

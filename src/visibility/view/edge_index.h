@@ -18,6 +18,8 @@
 #include <span>
 #include <vector>
 
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "exact/recipe_evaluator.h"
 #include "visibility/contour.h"
 #include "visibility/view/facet_front.h"
@@ -26,15 +28,18 @@
 
 namespace truelux {
 
+/// Index of an edge of an EdgeIndex, which joins two vertices of the scene.
+using SceneEdgeId = Id<struct SceneEdgeTag>;
+
 /// A triangle that has an edge.
 struct EdgeNeighbour {
-  int triangle = -1;
+  TriangleId triangle;
   Sign side = Sign::kZero;  ///< of its third corner, to the plane a x b
 };
 
 /// An edge of a triangle.
 struct TriangleEdge {
-  int edge = -1;
+  SceneEdgeId edge;
   Sign side = Sign::kZero;  ///< of the triangle's third corner, as above
 };
 
@@ -43,30 +48,33 @@ class EdgeIndex {
  public:
   /// triangles: ascending; r is in the plane of none of them. The query and its
   /// scene must outlive the object.
-  EdgeIndex(const ContourQuery& query, std::span<const int> triangles);
+  EdgeIndex(const ContourQuery& query, std::span<const TriangleId> triangles);
 
   [[nodiscard]] const ContourQuery& query() const { return query_; }
 
   [[nodiscard]] const RecipeEvaluator<Exact>& exact() const { return exact_; }
 
   /// The triangles that the index was made of.
-  [[nodiscard]] std::span<const int> triangles() const { return triangles_; }
-
-  [[nodiscard]] int edge_count() const {
-    return static_cast<int>(edges_.size());
+  [[nodiscard]] std::span<const TriangleId> triangles() const {
+    return triangles_;
   }
 
-  /// An edge from a to b. Edges are sorted by (a, b).
-  [[nodiscard]] Segment SegmentOf(int edge) const;
+  /// The edges, sorted by (a, b).
+  [[nodiscard]] IdRange<SceneEdgeId> edges() const { return edges_.ids(); }
+
+  /// An edge from a to b.
+  [[nodiscard]] Segment SegmentOf(SceneEdgeId edge) const;
 
   /// Holds the normal a x b of an edge's plane.
-  [[nodiscard]] const Vec3<Interval>& RoughPlane(int edge) const;
+  [[nodiscard]] const Vec3<Interval>& RoughPlane(SceneEdgeId edge) const;
 
   /// The triangles of the index that have an edge.
-  [[nodiscard]] std::span<const EdgeNeighbour> NeighboursOf(int edge) const;
+  [[nodiscard]] std::span<const EdgeNeighbour> NeighboursOf(
+      SceneEdgeId edge) const;
 
   /// The edges of a triangle of the index.
-  [[nodiscard]] const std::array<TriangleEdge, 3>& EdgesOf(int triangle) const;
+  [[nodiscard]] const std::array<TriangleEdge, 3>& EdgesOf(
+      TriangleId triangle) const;
 
   /// Whether an edge could bound what is visible of a source: it is an edge of
   /// the source or of a triangle that can hide some of it, and the triangle
@@ -75,61 +83,63 @@ class EdgeIndex {
   /// does (an inner edge of a blocking mesh). Where such an edge is behind the
   /// source's plane it bounds nothing; that is asked point by point
   /// (FacetFront::IsBehind).
-  [[nodiscard]] bool CouldBound(int edge, const FacetFront& source) const;
+  [[nodiscard]] bool CouldBound(SceneEdgeId edge,
+                                const FacetFront& source) const;
 
   /// The line where a triangle of the index enters the source's plane; nothing
   /// if it does not. Cuts are the only further segments that could bound it.
-  [[nodiscard]] std::optional<Segment> CutOf(int triangle,
+  [[nodiscard]] std::optional<Segment> CutOf(TriangleId triangle,
                                              const FacetFront& source) const;
 
   /// Whether all faces at an edge go on beyond it.
-  [[nodiscard]] bool IsDiagonal(int edge) const;
+  [[nodiscard]] bool IsDiagonal(SceneEdgeId edge) const;
 
   /// The edge of a facet along the arc between two directions that are not
   /// parallel. Returns nullopt if no edge of the facet holds the whole arc;
   /// edges between two triangles of the facet do not count.
-  [[nodiscard]] std::optional<SeenEdge> AlongArc(int facet,
+  [[nodiscard]] std::optional<SeenEdge> AlongArc(FacetId facet,
                                                  const Vec3<Exact>& from,
                                                  const Vec3<Exact>& to) const;
 
   /// Which of two facets is nearer along d: negative if the first one is. Both
   /// have a point there.
-  [[nodiscard]] Sign DepthOrder(int facet, int other,
+  [[nodiscard]] Sign DepthOrder(FacetId facet, FacetId other,
                                 const Vec3<Exact>& d) const;
 
   /// The normal of the plane through r and the line where the planes of two
   /// facets meet; (0, 0, 0) if the planes are equal.
-  [[nodiscard]] Vec3<Exact> MeetingPlane(int facet, int other) const;
+  [[nodiscard]] Vec3<Exact> MeetingPlane(FacetId facet, FacetId other) const;
 
-  [[nodiscard]] int FacetOf(int triangle) const;
+  [[nodiscard]] FacetId FacetOf(TriangleId triangle) const;
 
   /// The number of a facet's face.
-  [[nodiscard]] int FaceNumber(int facet) const;
+  [[nodiscard]] int FaceNumber(FacetId facet) const;
 
  private:
   struct Edge {
-    int a = -1;
-    int b = -1;
+    VertexId a;
+    VertexId b;
     int first_neighbour = 0;
     int neighbour_count = 0;
   };
 
   void AddEdges();
-  [[nodiscard]] bool Matters(int triangle, const FacetFront& source) const;
-  [[nodiscard]] bool GoesOn(int edge, const EdgeNeighbour& neighbour,
+  [[nodiscard]] bool Matters(TriangleId triangle,
+                             const FacetFront& source) const;
+  [[nodiscard]] bool GoesOn(SceneEdgeId edge, const EdgeNeighbour& neighbour,
                             const FacetFront& source) const;
-  [[nodiscard]] SeenEdge NameOf(int edge) const;
+  [[nodiscard]] SeenEdge NameOf(SceneEdgeId edge) const;
 
   const ContourQuery& query_;
   TriangleSides sides_;
   RecipeEvaluator<Exact> exact_;
   RecipeEvaluator<Interval> interval_;
-  std::vector<int> triangles_;
-  std::vector<Edge> edges_;
+  std::vector<TriangleId> triangles_;
+  IdVector<SceneEdgeId, Edge> edges_;
   std::vector<EdgeNeighbour> neighbours_;  ///< edge by edge
-  std::vector<Vec3<Interval>> planes_;     ///< per edge
-  /// Per triangle of the scene; edge -1: not in the index.
-  std::vector<std::array<TriangleEdge, 3>> edges_of_;
+  IdVector<SceneEdgeId, Vec3<Interval>> planes_;
+  /// Of triangles that are not in the index: no edges.
+  IdVector<TriangleId, std::array<TriangleEdge, 3>> edges_of_;
 };
 
 }  // namespace truelux

@@ -7,12 +7,10 @@
 #include <cstddef>
 #include <utility>
 
+#include "scene/scene_access.h"
+
 namespace truelux {
 namespace {
-
-std::size_t Index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Vec3<Interval> RoughOf(const Vec3<Exact>& v) {
   return {FromExact<Interval>::Of(v.x), FromExact<Interval>::Of(v.y),
@@ -22,7 +20,9 @@ Vec3<Interval> RoughOf(const Vec3<Exact>& v) {
 }  // namespace
 
 EdgesAt::EdgesAt(const EdgeIndex& index, const Vec3<Exact>& d)
-    : index_(index), d_(d), sides_(Index(index.edge_count())) {
+    : index_(index),
+      d_(d),
+      sides_(static_cast<std::size_t>(index.edges().size())) {
   assert(!IsZero(d));
   FindSides();
   FindTriangles();
@@ -31,26 +31,25 @@ EdgesAt::EdgesAt(const EdgeIndex& index, const Vec3<Exact>& d)
 /// Sets the sides that intervals know, and asks for the others exactly: those
 /// are few, and the edges through d are among them.
 void EdgesAt::FindSides() {
-  std::vector<int> open;
+  std::vector<SceneEdgeId> open;
   const Vec3<Interval> rough = RoughOf(d_);
   {
     const RoundUpward rounding;
-    for (int e = 0; e < index_.edge_count(); ++e) {
+    for (const SceneEdgeId e : index_.edges()) {
       const auto sign = TrySign(Dot(index_.RoughPlane(e), rough));
       if (sign && *sign != Sign::kZero) {
-        sides_[Index(e)] = *sign;
+        sides_[e] = *sign;
       } else {
         open.push_back(e);
       }
     }
   }
   const RecipeEvaluator<Exact>& exact = index_.exact();
-  for (const int e : open) {
+  for (const SceneEdgeId e : open) {
     const Segment segment = index_.SegmentOf(e);
-    sides_[Index(e)] =
-        SignOf(Determinant(exact.FromReceiver(VertexId(segment.a)),
-                           exact.FromReceiver(VertexId(segment.b)), d_));
-    if (sides_[Index(e)] != Sign::kZero) continue;
+    sides_[e] = SignOf(Determinant(exact.FromReceiver(segment.a),
+                                   exact.FromReceiver(segment.b), d_));
+    if (sides_[e] != Sign::kZero) continue;
     auto passing = Pass(segment);
     if (!passing) continue;
     passing->edge = e;
@@ -59,10 +58,10 @@ void EdgesAt::FindSides() {
 }
 
 void EdgesAt::FindTriangles() {
-  for (const int t : index_.triangles()) {
+  for (const TriangleId t : index_.triangles()) {
     const bool holds =
         std::ranges::all_of(index_.EdgesOf(t), [this](const TriangleEdge& own) {
-          return sides_[Index(own.edge)] * own.side != Sign::kNegative;
+          return sides_[own.edge] * own.side != Sign::kNegative;
         });
     if (holds) triangles_.push_back(t);
   }
@@ -73,18 +72,18 @@ std::optional<EdgesAt::Passing> EdgesAt::Pass(const Segment& segment) const {
   auto point = PointOnArc(exact.Direction(segment.from, {}, {}),
                           exact.Direction(segment.to, {}, {}), d_);
   if (!point) return std::nullopt;
-  return Passing{-1, segment, *std::move(point)};
+  return Passing{{}, segment, *std::move(point)};
 }
 
 EdgeHit EdgesAt::HitOf(const Passing& passing) {
   const Segment& segment = passing.segment;
-  int vertex = -1;
+  VertexId vertex;
   if (passing.point.IsFrom()) vertex = segment.a;
   if (passing.point.IsTo()) vertex = segment.b;
   return {passing.point.plane, vertex, segment.edge};
 }
 
-std::vector<EdgeHit> EdgesAt::OfSource(int facet) const {
+std::vector<EdgeHit> EdgesAt::OfSource(FacetId facet) const {
   const FacetFront source(index_.query(), facet);
   std::vector<EdgeHit> hits;
   for (const Passing& passing : passing_) {
@@ -93,7 +92,7 @@ std::vector<EdgeHit> EdgesAt::OfSource(int facet) const {
       hits.push_back(HitOf(passing));
     }
   }
-  for (const int t : triangles_) {
+  for (const TriangleId t : triangles_) {
     const auto cut = index_.CutOf(t, source);
     const auto passing = cut ? Pass(*cut) : std::nullopt;
     if (passing) hits.push_back(HitOf(*passing));
@@ -101,9 +100,9 @@ std::vector<EdgeHit> EdgesAt::OfSource(int facet) const {
   return hits;
 }
 
-std::vector<EdgeHit> EdgesAt::NotBehind(int facet) const {
+std::vector<EdgeHit> EdgesAt::NotBehind(FacetId facet) const {
   std::optional<FacetFront> front;
-  if (facet >= 0) front.emplace(index_.query(), facet);
+  if (facet.valid()) front.emplace(index_.query(), facet);
   std::vector<EdgeHit> hits;
   for (const Passing& passing : passing_) {
     if (index_.IsDiagonal(passing.edge)) continue;
@@ -115,15 +114,15 @@ std::vector<EdgeHit> EdgesAt::NotBehind(int facet) const {
 }
 
 /// Adds the lines where two faces meet that are no edges of the scene.
-void EdgesAt::AddMeetings(int facet, std::vector<EdgeHit>& hits) const {
+void EdgesAt::AddMeetings(FacetId facet, std::vector<EdgeHit>& hits) const {
   const auto is_edge = [this](const EdgeHit& meeting) {
     return std::ranges::any_of(passing_, [&meeting](const Passing& p) {
       return IsZero(Cross(p.point.plane, meeting.plane));
     });
   };
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    const int own = index_.FacetOf(triangles_[i]);
-    const bool is_behind = facet >= 0 && own != facet &&
+    const FacetId own = index_.FacetOf(triangles_[i]);
+    const bool is_behind = facet.valid() && own != facet &&
                            index_.DepthOrder(own, facet, d_) == Sign::kPositive;
     if (is_behind) continue;
     for (std::size_t j = i + 1; j < triangles_.size(); ++j) {
@@ -134,18 +133,18 @@ void EdgesAt::AddMeetings(int facet, std::vector<EdgeHit>& hits) const {
 }
 
 /// Whether a scene vertex lies in the direction.
-bool EdgesAt::IsVertex(int vertex) const {
-  const Vec3<Exact> v = index_.exact().FromReceiver(VertexId(vertex));
+bool EdgesAt::IsVertex(VertexId vertex) const {
+  const Vec3<Exact> v = index_.exact().FromReceiver(vertex);
   return IsZero(Cross(v, d_)) && SignOf(Dot(v, d_)) == Sign::kPositive;
 }
 
-EdgesAt::Reach EdgesAt::ReachOf(int triangle, const Vec3<Exact>& plane) const {
-  const auto& corners =
-      index_.query().scene.triangles()[Index(triangle)].vertices;
+EdgesAt::Reach EdgesAt::ReachOf(TriangleId triangle,
+                                const Vec3<Exact>& plane) const {
+  const auto corners = CornersOf(TrianglesOf(index_.query().scene)[triangle]);
   std::array<Vec3<Exact>, 3> at;
   std::array<Exact, 3> side;
   for (std::size_t k = 0; k < 3; ++k) {
-    at[k] = index_.exact().FromReceiver(VertexId(corners[k]));
+    at[k] = index_.exact().FromReceiver(corners[k]);
     side[k] = Dot(plane, at[k]);
   }
   Reach reach;
@@ -168,17 +167,17 @@ EdgesAt::Reach EdgesAt::ReachOf(int triangle, const Vec3<Exact>& plane) const {
 }
 
 /// The segment in which two triangles cross, if d is on it.
-std::optional<EdgeHit> EdgesAt::MeetingOf(int s, int t) const {
-  const int own = index_.FacetOf(s);
-  const int other = index_.FacetOf(t);
+std::optional<EdgeHit> EdgesAt::MeetingOf(TriangleId s, TriangleId t) const {
+  const FacetId own = index_.FacetOf(s);
+  const FacetId other = index_.FacetOf(t);
   const int face = index_.FaceNumber(own);
   const int other_face = index_.FaceNumber(other);
   if (face == other_face) return std::nullopt;
-  const auto triangles = index_.query().scene.triangles();
-  const auto& v = triangles[Index(s)].vertices;
-  const auto& w = triangles[Index(t)].vertices;
+  const auto triangles = TrianglesOf(index_.query().scene);
+  const auto v = CornersOf(triangles[s]);
+  const auto w = CornersOf(triangles[t]);
   const auto shared = std::ranges::count_if(
-      v, [&w](int i) { return std::ranges::find(w, i) != w.end(); });
+      v, [&w](VertexId i) { return std::ranges::find(w, i) != w.end(); });
   if (shared > 1) return std::nullopt;
   if (index_.DepthOrder(own, other, d_) != Sign::kZero) return std::nullopt;
   const Vec3<Exact> plane = index_.MeetingPlane(own, other);
@@ -190,9 +189,9 @@ std::optional<EdgeHit> EdgesAt::MeetingOf(int s, int t) const {
   const bool goes_back = a.back && b.back;
   const bool goes_on = a.on && b.on;
   if (!goes_back && !goes_on) return std::nullopt;
-  const int corner = b.vertex >= 0 ? b.vertex : a.vertex;
+  const VertexId corner = b.vertex.valid() ? b.vertex : a.vertex;
   return EdgeHit{
-      plane, goes_back && goes_on ? -1 : corner,
+      plane, goes_back && goes_on ? VertexId() : corner,
       SeenEdge{std::min(face, other_face), -1, -1, std::max(face, other_face)}};
 }
 

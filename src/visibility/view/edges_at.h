@@ -20,16 +20,16 @@ class EdgesAt {
 
   /// The edges that could bound a source facet there (EdgeIndex::CouldBound),
   /// hidden or not, where they are not behind its plane, and the cuts.
-  [[nodiscard]] std::vector<EdgeHit> OfSource(int facet) const;
+  [[nodiscard]] std::vector<EdgeHit> OfSource(FacetId facet) const;
 
-  /// All edges there that are not behind a facet's plane (facet -1: all),
+  /// All edges there that are not behind a facet's plane (none: all),
   /// without diagonals of faces, and with the lines where two faces meet.
-  [[nodiscard]] std::vector<EdgeHit> NotBehind(int facet) const;
+  [[nodiscard]] std::vector<EdgeHit> NotBehind(FacetId facet) const;
 
  private:
   /// An edge or a cut that passes through d or ends there.
   struct Passing {
-    int edge = -1;
+    SceneEdgeId edge;
     Segment segment;
     ArcPoint point;
   };
@@ -38,23 +38,25 @@ class EdgesAt {
   struct Reach {
     bool back = false;
     bool on = false;
-    int vertex = -1;  ///< the corner at d, or -1
+    VertexId vertex;  ///< the corner at d, or none
   };
 
   void FindSides();
   void FindTriangles();
   [[nodiscard]] std::optional<Passing> Pass(const Segment& segment) const;
   [[nodiscard]] static EdgeHit HitOf(const Passing& passing);
-  [[nodiscard]] bool IsVertex(int vertex) const;
-  [[nodiscard]] Reach ReachOf(int triangle, const Vec3<Exact>& plane) const;
-  [[nodiscard]] std::optional<EdgeHit> MeetingOf(int s, int t) const;
-  void AddMeetings(int facet, std::vector<EdgeHit>& hits) const;
+  [[nodiscard]] bool IsVertex(VertexId vertex) const;
+  [[nodiscard]] Reach ReachOf(TriangleId triangle,
+                              const Vec3<Exact>& plane) const;
+  [[nodiscard]] std::optional<EdgeHit> MeetingOf(TriangleId s,
+                                                 TriangleId t) const;
+  void AddMeetings(FacetId facet, std::vector<EdgeHit>& hits) const;
 
   const EdgeIndex& index_;
   Vec3<Exact> d_;
-  std::vector<Sign> sides_;       ///< per edge of the index: of d to its plane
-  std::vector<Passing> passing_;  ///< edges of the scene
-  std::vector<int> triangles_;    ///< whose closed image holds d
+  IdVector<SceneEdgeId, Sign> sides_;  ///< of d to the edge's plane
+  std::vector<Passing> passing_;       ///< edges of the scene
+  std::vector<TriangleId> triangles_;  ///< whose closed image holds d
 };
 
 }  // namespace truelux

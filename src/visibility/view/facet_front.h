@@ -16,12 +16,12 @@ namespace truelux {
 class FacetFront {
  public:
   /// The query's scene must outlive the object; r is not in the facet's plane.
-  FacetFront(const ContourQuery& query, int facet);
+  FacetFront(const ContourQuery& query, FacetId facet);
 
-  [[nodiscard]] int facet() const { return facet_; }
+  [[nodiscard]] FacetId facet() const { return facet_; }
 
   /// Positive if a vertex is strictly in front, zero if it is on the plane.
-  [[nodiscard]] Sign SideOf(int vertex) const;
+  [[nodiscard]] Sign SideOf(VertexId vertex) const;
 
   /// Whether a point of a segment is strictly behind the plane. A cut is taken
   /// for one with this plane.
@@ -31,20 +31,18 @@ class FacetFront {
   /// Whether a triangle of another facet can hide some of this one: some of
   /// the triangle is strictly in front of the plane, or all of it is on the
   /// plane and its face is the earlier one, which is then what is seen.
-  [[nodiscard]] bool CanBeHiddenBy(int triangle) const;
+  [[nodiscard]] bool CanBeHiddenBy(TriangleId triangle) const;
 
   /// The segment in which a triangle of another facet crosses the plane;
   /// nothing if not both sides of the plane hold some of the triangle.
-  [[nodiscard]] std::optional<Segment> CutOf(int triangle) const;
+  [[nodiscard]] std::optional<Segment> CutOf(TriangleId triangle) const;
 
  private:
-  [[nodiscard]] const Triangle& At(int triangle) const;
-  [[nodiscard]] int FaceOf(int facet) const;
-
   const ContourQuery& query_;
   TriangleSides sides_;
-  int facet_;
-  int triangle_;        ///< the first one of the facet; it stands for the plane
+  FacetId facet_;
+  TriangleId
+      triangle_;        ///< the first one of the facet; it stands for the plane
   Sign receiver_side_;  ///< the side of the plane, as OfVertex has it, of r
 };
 

@@ -8,48 +8,45 @@
 #include <utility>
 
 #include "exact/recipe_evaluator.h"
+#include "scene/scene_access.h"
 
 namespace truelux {
 namespace {
 
-std::size_t Index(int i) {
-  return static_cast<std::size_t>(i);
-}
+/// A part of the view in one of the charts, numbered over all charts.
+using PartId = Id<struct PartTag>;
 
-/// Which numbers have been found to be the same.
+/// Which parts have been found to be the same.
 class Partition {
  public:
-  int Add() {
-    parent_.push_back(static_cast<int>(parent_.size()));
-    return parent_.back();
-  }
+  PartId Add() { return parent_.push_back(parent_.end_id()); }
 
-  int Root(int i) {
-    while (parent_[Index(i)] != i) {
-      parent_[Index(i)] = parent_[Index(parent_[Index(i)])];
-      i = parent_[Index(i)];
+  PartId Root(PartId i) {
+    while (parent_[i] != i) {
+      parent_[i] = parent_[parent_[i]];
+      i = parent_[i];
     }
     return i;
   }
 
-  void Unite(int i, int j) { parent_[Index(Root(i))] = Root(j); }
+  void Unite(PartId i, PartId j) { parent_[Root(i)] = Root(j); }
 
-  [[nodiscard]] int size() const { return static_cast<int>(parent_.size()); }
+  [[nodiscard]] std::size_t size() const { return parent_.size(); }
 
  private:
-  std::vector<int> parent_;
+  IdVector<PartId, PartId> parent_;
 };
 
 /// What is on one side of an edge.
 struct EdgeSide {
-  int facet = kOutside.value();
-  int part = -1;  ///< number over all charts
+  FacetId facet = kOutside;
+  PartId part;
 };
 
 /// A piece of a cut between two charts, as one of them has it.
 struct CutPiece {
-  int from = -1;  ///< the end nearer to the receiver's normal
-  int to = -1;
+  GluedVertexId from;  ///< the end nearer to the receiver's normal
+  GluedVertexId to;
   EdgeSide side;
 };
 
@@ -92,10 +89,10 @@ class Gluing {
   }
 
  private:
-  int VertexOf(const Vec3<Exact>& direction) {
+  GluedVertexId VertexOf(const Vec3<Exact>& direction) {
     PrimitiveVector key = MakePrimitive(direction);
     const auto [entry, is_new] =
-        index_.try_emplace(key, static_cast<int>(view_.vertices.size()));
+        index_.try_emplace(key, view_.vertices.end_id());
     if (is_new) {
       const bool on_horizon = Dot(exact_.ReceiverNormal(), direction).is_zero();
       view_.vertices.push_back({direction, std::move(key), on_horizon, {}});
@@ -103,25 +100,25 @@ class Gluing {
     return entry->second;
   }
 
-  const Vec3<Exact>& Direction(int vertex) const {
-    return view_.vertices[Index(vertex)].direction;
+  const Vec3<Exact>& Direction(GluedVertexId vertex) const {
+    return view_.vertices[vertex].direction;
   }
 
   void AddMapEdge(const ChartView& view, const MapEdge& edge) {
-    const auto side = [&](int facet, int part) {
-      return EdgeSide{facet, part_of_[Index(part)]};
+    const auto side = [&](FacetId facet, int part) {
+      return EdgeSide{facet, part_of_[static_cast<std::size_t>(part)]};
     };
-    EdgeSide left = side(edge.left.value(), edge.left_part);
-    EdgeSide right = side(edge.right.value(), edge.right_part);
-    int from = vertex_of_[edge.from.index()];
-    int to = vertex_of_[edge.to.index()];
-    if (left.facet == kOutside.value()) {
+    EdgeSide left = side(edge.left, edge.left_part);
+    EdgeSide right = side(edge.right, edge.right_part);
+    GluedVertexId from = vertex_of_[edge.from];
+    GluedVertexId to = vertex_of_[edge.to];
+    if (left.facet == kOutside) {
       std::swap(left, right);
       std::swap(from, to);
     }
-    const bool on_wall = right.facet == kOutside.value();
-    if (!on_wall || (view_.vertices[Index(from)].on_horizon &&
-                     view_.vertices[Index(to)].on_horizon)) {
+    const bool on_wall = right.facet == kOutside;
+    if (!on_wall ||
+        (view_.vertices[from].on_horizon && view_.vertices[to].on_horizon)) {
       AddArc(from, to, left, right);
     } else {
       AddCutPiece(view, edge, {from, to, left});
@@ -147,7 +144,7 @@ class Gluing {
     }
   }
 
-  bool IsBefore(const Cut& cut, int a, int b) const {
+  bool IsBefore(const Cut& cut, GluedVertexId a, GluedVertexId b) const {
     return SignOf(Dot(Cross(Direction(a), Direction(b)), cut.normal)) ==
            Sign::kPositive;
   }
@@ -162,11 +159,12 @@ class Gluing {
     std::ranges::sort(cut.right, before);
     auto left = cut.left.begin();
     auto right = cut.right.begin();
-    int from = left != cut.left.end() ? left->from : -1;
+    GluedVertexId from;
+    if (left != cut.left.end()) from = left->from;
     while (left != cut.left.end() && right != cut.right.end()) {
       const bool same_end = left->to == right->to;
       const bool left_first = same_end || IsBefore(cut, left->to, right->to);
-      const int to = left_first ? left->to : right->to;
+      const GluedVertexId to = left_first ? left->to : right->to;
       AddArc(from, to, left->side, right->side);
       from = to;
       if (same_end || !left_first) ++right;
@@ -176,51 +174,59 @@ class Gluing {
       throw std::logic_error("two charts differ in how long their cut is");
   }
 
-  int FaceOf(int facet) const {
-    return facet < 0 ? facet : query_.scene.facets()[Index(facet)].face;
+  /// Whether two facets are of one face, or none, or both outside.
+  bool AreOfOneFace(FacetId a, FacetId b) const {
+    if (!a.valid() || !b.valid()) return a == b;
+    return FaceOf(query_.scene, a) == FaceOf(query_.scene, b);
   }
 
-  void AddArc(int from, int to, const EdgeSide& left, const EdgeSide& right) {
-    for (const int vertex : {from, to}) {
+  void AddArc(GluedVertexId from, GluedVertexId to, const EdgeSide& left,
+              const EdgeSide& right) {
+    for (const GluedVertexId vertex : {from, to}) {
       for (const EdgeSide& side : {left, right}) {
-        if (side.facet != kOutside.value())
-          view_.vertices[Index(vertex)].around.push_back(side.facet);
+        if (side.facet != kOutside)
+          view_.vertices[vertex].around.push_back(side.facet);
       }
     }
-    if (FaceOf(left.facet) == FaceOf(right.facet)) {
+    if (AreOfOneFace(left.facet, right.facet)) {
       partition_.Unite(left.part, right.part);
       return;
     }
-    view_.arcs.push_back(
-        {from, to, left.facet, right.facet, left.part, right.part, from, to});
+    view_.arcs.push_back({from, to, left.facet, right.facet, {}, {}, from, to});
+    arc_parts_.push_back({left.part, right.part});
   }
 
   /// In the order of the arcs that bound them.
   void NumberRegions() {
-    std::vector<int> number(Index(partition_.size()), -1);
-    const auto renumber = [&](int& region) {
-      int& own = number[Index(partition_.Root(region))];
-      if (own < 0) own = view_.region_count++;
-      region = own;
+    IdVector<PartId, RegionId> region_of(partition_.size());
+    const auto number = [&](PartId part) {
+      RegionId& region = region_of[partition_.Root(part)];
+      if (!region.valid()) region = RegionId(view_.region_count++);
+      return region;
     };
-    for (GluedArc& arc : view_.arcs) {
-      renumber(arc.left_region);
-      if (arc.on_horizon()) {
-        arc.right_region = -1;
-      } else {
-        renumber(arc.right_region);
-      }
+    for (const GluedArcId a : view_.arcs.ids()) {
+      GluedArc& arc = view_.arcs[a];
+      arc.left_region = number(arc_parts_[a].left);
+      if (!arc.on_horizon()) arc.right_region = number(arc_parts_[a].right);
     }
   }
+
+  /// The parts on both sides of an arc.
+  struct ArcParts {
+    PartId left;
+    PartId right;
+  };
 
   const ContourQuery& query_;
   RecipeEvaluator<Exact> exact_;
   GluedView view_;
-  std::map<PrimitiveVector, int> index_;
+  IdVector<GluedArcId, ArcParts> arc_parts_;
+  std::map<PrimitiveVector, GluedVertexId> index_;
   Partition partition_;                  ///< the parts of all charts
   std::map<PrimitiveVector, Cut> cuts_;  ///< by their ends on the horizon
-  std::vector<int> part_of_;             ///< per part of the chart being added
-  std::vector<int> vertex_of_;  ///< per vertex of the chart being added
+  std::vector<PartId> part_of_;          ///< per part of the chart being added
+  /// Of the chart being added.
+  IdVector<MapVertexId, GluedVertexId> vertex_of_;
 };
 
 }  // namespace

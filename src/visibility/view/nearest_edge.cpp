@@ -18,10 +18,10 @@ NearestEdge::NearestEdge(const EdgeIndex& index, const FacetFront& source)
     : source_(source),
       exact_(ViewOf(index.query())),
       interval_(ViewOf(index.query())) {
-  for (int e = 0; e < index.edge_count(); ++e) {
+  for (const SceneEdgeId e : index.edges()) {
     if (index.CouldBound(e, source)) Add(index.SegmentOf(e));
   }
-  for (const int t : index.triangles()) {
+  for (const TriangleId t : index.triangles()) {
     if (const auto cut = index.CutOf(t, source)) Add(*cut);
   }
 }

@@ -5,14 +5,11 @@
 #include <array>
 #include <cstddef>
 
+#include "scene/scene_access.h"
 #include "visibility/view/rounded_angles.h"
 
 namespace truelux {
 namespace {
-
-std::size_t Index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Directions within an angle of one of them. A wide cap, of no less than 1.5,
 /// stands for all directions.
@@ -26,9 +23,10 @@ struct Cap {
 /// Holds a triangle, around the direction to its first corner. In binary64,
 /// which is off by far less than kBesideSource.
 Cap CapOf(const ContourQuery& query, const Triangle& triangle) {
+  const std::array<VertexId, 3> corners = CornersOf(triangle);
   std::array<Vec3<double>, 3> units{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Point3& p = query.scene.vertices()[Index(triangle.vertices[k])];
+    const Point3& p = VerticesOf(query.scene)[corners[k]];
     const Point3& r = query.receiver.position;
     units[k] = UnitOf(Vec3<double>{p.x - r.x, p.y - r.y, p.z - r.z});
   }
@@ -36,11 +34,10 @@ Cap CapOf(const ContourQuery& query, const Triangle& triangle) {
                              AngleBetween(units[0], units[2]))};
 }
 
-std::vector<Cap> CapsOf(const ContourQuery& query, int facet) {
-  const Facet& f = query.scene.facets()[Index(facet)];
+std::vector<Cap> CapsOf(const ContourQuery& query, FacetId facet) {
+  const Facet& f = FacetsOf(query.scene)[facet];
   std::vector<Cap> caps;
-  for (const Triangle& triangle : query.scene.triangles().subspan(
-           Index(f.first_triangle), Index(f.triangle_count)))
+  for (const Triangle& triangle : TrianglesOf(query.scene, f))
     caps.push_back(CapOf(query, triangle));
   return caps;
 }
@@ -58,13 +55,13 @@ class Participation {
   explicit Participation(const ContourQuery& query)
       : query_(query), sides_(ViewOf(query)), ignored_(IgnoredFacets(query)) {}
 
-  [[nodiscard]] bool IsIgnored(int triangle) const {
-    const int facet = query_.scene.triangles()[Index(triangle)].facet;
-    return !ignored_.empty() && ignored_[FacetId(facet)];
+  [[nodiscard]] bool IsIgnored(TriangleId triangle) const {
+    return !ignored_.empty() &&
+           ignored_[FacetOf(TrianglesOf(query_.scene)[triangle])];
   }
 
-  [[nodiscard]] bool IsEdgeOn(int triangle) const {
-    return sides_.OfReceiver(TriangleId(triangle)) == Sign::kZero;
+  [[nodiscard]] bool IsEdgeOn(TriangleId triangle) const {
+    return sides_.OfReceiver(triangle) == Sign::kZero;
   }
 
  private:
@@ -75,32 +72,31 @@ class Participation {
 
 }  // namespace
 
-std::vector<int> RelevantTriangles(const ContourQuery& query) {
+std::vector<TriangleId> RelevantTriangles(const ContourQuery& query) {
   const Participation participation(query);
-  std::vector<int> relevant;
-  const int count = static_cast<int>(query.scene.triangles().size());
-  for (int t = 0; t < count; ++t) {
+  std::vector<TriangleId> relevant;
+  for (const TriangleId t : TrianglesOf(query.scene).ids()) {
     if (!participation.IsIgnored(t) && !participation.IsEdgeOn(t))
       relevant.push_back(t);
   }
   return relevant;
 }
 
-std::vector<int> TrianglesOfSource(const ContourQuery& query,
-                                   const FacetFront& source) {
+std::vector<TriangleId> TrianglesOfSource(const ContourQuery& query,
+                                          const FacetFront& source) {
   const Participation participation(query);
   const std::vector<Cap> caps = CapsOf(query, source.facet());
   // The cheapest question first.
-  const auto can_hide_source = [&](int t, const Triangle& triangle) {
+  const auto can_hide_source = [&](TriangleId t, const Triangle& triangle) {
     return !IsBeside(CapOf(query, triangle), caps) && source.CanBeHiddenBy(t) &&
            !participation.IsEdgeOn(t);
   };
-  std::vector<int> relevant;
-  const auto triangles = query.scene.triangles();
-  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
-    const Triangle& triangle = triangles[Index(t)];
+  std::vector<TriangleId> relevant;
+  const auto triangles = TrianglesOf(query.scene);
+  for (const TriangleId t : triangles.ids()) {
+    const Triangle& triangle = triangles[t];
     if (participation.IsIgnored(t)) continue;
-    if (triangle.facet == source.facet() || can_hide_source(t, triangle))
+    if (FacetOf(triangle) == source.facet() || can_hide_source(t, triangle))
       relevant.push_back(t);
   }
   return relevant;

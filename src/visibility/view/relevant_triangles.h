@@ -6,15 +6,15 @@
 
 #include <vector>
 
+#include "base/ids.h"
 #include "visibility/contour.h"
 #include "visibility/view/facet_front.h"
 
 namespace truelux {
 
 /// The triangles that take part in a query's view: all but those of ignored
-/// facets and those whose plane holds the receiver. Indices into
-/// Scene::triangles(), ascending.
-std::vector<int> RelevantTriangles(const ContourQuery& query);
+/// facets and those whose plane holds the receiver. Ascending.
+std::vector<TriangleId> RelevantTriangles(const ContourQuery& query);
 
 /// Triangles farther than this from a source are left out [rad]. No vertex of
 /// the source's contour has an edge of those.
@@ -24,8 +24,8 @@ inline constexpr double kBesideSource = 0.01;
 /// and those that can hide some of it, without the ones that are more than
 /// kBesideSource away from every direction to the source. source: its front;
 /// its facet takes part in the view.
-std::vector<int> TrianglesOfSource(const ContourQuery& query,
-                                   const FacetFront& source);
+std::vector<TriangleId> TrianglesOfSource(const ContourQuery& query,
+                                          const FacetFront& source);
 
 }  // namespace truelux
 

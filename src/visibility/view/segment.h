@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "base/ids.h"
 #include "exact/number.h"
 #include "exact/recipe.h"
 #include "exact/vec3.h"
@@ -18,8 +19,8 @@ namespace truelux {
 struct Segment {
   DirectionRecipe from;
   DirectionRecipe to;
-  int a = -1;  ///< the scene vertex at `from`, or -1
-  int b = -1;  ///< the scene vertex at `to`, or -1
+  VertexId a;  ///< the scene vertex at `from`, or none
+  VertexId b;  ///< the scene vertex at `to`, or none
   SeenEdge edge;
 
   [[nodiscard]] bool IsCut() const { return edge.a < 0; }

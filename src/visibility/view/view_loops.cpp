@@ -7,71 +7,80 @@
 namespace truelux {
 namespace {
 
-std::size_t Index(int i) {
-  return static_cast<std::size_t>(i);
+/// Half-arc 2 a runs through arc a as it is, 2 a + 1 the other way.
+using HalfArcId = Id<struct HalfArcTag>;
+
+constexpr HalfArcId Twin(HalfArcId half) {
+  return HalfArcId(half.value() ^ 1);
 }
 
-/// Half-arc 2 a runs through arc a as it is, 2 a + 1 the other way.
-constexpr int Twin(int half) {
-  return half ^ 1;
+constexpr GluedArcId ArcOf(HalfArcId half) {
+  return GluedArcId(half.value() / 2);
+}
+
+constexpr bool IsForward(HalfArcId half) {
+  return half.value() % 2 == 0;
 }
 
 class LoopTracer {
  public:
-  LoopTracer(const GluedView& view, std::span<const Vec3<Exact>> planes)
-      : view_(view), planes_(planes), next_(2 * view.arcs.size(), -1) {
-    std::vector<std::vector<int>> leaving(view.vertices.size());
-    for (int half = 0; half < static_cast<int>(next_.size()); ++half) {
-      const int start = Start(half);
-      if (start >= 0) {
-        leaving[Index(start)].push_back(half);
+  LoopTracer(const GluedView& view,
+             IdSpan<GluedArcId, const Vec3<Exact>> planes)
+      : view_(view), planes_(planes), next_(2 * view.arcs.size()) {
+    IdVector<GluedVertexId, std::vector<HalfArcId>> leaving(
+        view.vertices.size());
+    for (const HalfArcId half : next_.ids()) {
+      const GluedVertexId start = Start(half);
+      if (start.valid()) {
+        leaving[start].push_back(half);
       } else {
-        next_[Index(half)] = half;  // a circle without vertices
+        next_[half] = half;  // a circle without vertices
       }
     }
-    for (std::size_t v = 0; v < leaving.size(); ++v)
+    for (const GluedVertexId v : leaving.ids())
       Link(view.vertices[v].direction, leaving[v]);
   }
 
-  std::vector<std::vector<ViewLoop>> Trace() const {
-    std::vector<std::vector<ViewLoop>> loops(Index(view_.region_count));
-    std::vector<bool> done(next_.size(), false);
-    for (int first = 0; first < static_cast<int>(next_.size()); ++first) {
-      const int region = Region(first);
-      if (done[Index(first)] || region < 0) continue;
+  IdVector<RegionId, std::vector<ViewLoop>> Trace() const {
+    IdVector<RegionId, std::vector<ViewLoop>> loops(
+        static_cast<std::size_t>(view_.region_count));
+    IdVector<HalfArcId, bool> done(next_.size(), false);
+    for (const HalfArcId first : next_.ids()) {
+      const RegionId region = Region(first);
+      if (done[first] || !region.valid()) continue;
       ViewLoop loop;
-      int half = first;
+      HalfArcId half = first;
       do {
-        done[Index(half)] = true;
-        loop.arcs.push_back(half / 2);
-        half = next_[Index(half)];
+        done[half] = true;
+        loop.arcs.push_back(ArcOf(half).value());
+        half = next_[half];
       } while (half != first);
-      loops[Index(region)].push_back(std::move(loop));
+      loops[region].push_back(std::move(loop));
     }
     return loops;
   }
 
  private:
-  [[nodiscard]] int Start(int half) const {
-    const GluedArc& arc = view_.arcs[Index(half / 2)];
-    return half % 2 == 0 ? arc.from : arc.to;
+  [[nodiscard]] GluedVertexId Start(HalfArcId half) const {
+    const GluedArc& arc = view_.arcs[ArcOf(half)];
+    return IsForward(half) ? arc.from : arc.to;
   }
 
   /// On the left.
-  [[nodiscard]] int Region(int half) const {
-    const GluedArc& arc = view_.arcs[Index(half / 2)];
-    return half % 2 == 0 ? arc.left_region : arc.right_region;
+  [[nodiscard]] RegionId Region(HalfArcId half) const {
+    const GluedArc& arc = view_.arcs[ArcOf(half)];
+    return IsForward(half) ? arc.left_region : arc.right_region;
   }
 
   /// Of the half-arc's plane, to its left.
-  [[nodiscard]] Vec3<Exact> Normal(int half) const {
-    const Vec3<Exact>& plane = planes_[Index(half / 2)];
-    return half % 2 == 0 ? plane : -plane;
+  [[nodiscard]] Vec3<Exact> Normal(HalfArcId half) const {
+    const Vec3<Exact>& plane = planes_[ArcOf(half)];
+    return IsForward(half) ? plane : -plane;
   }
 
   /// Tells each half-arc that arrives in direction d how it goes on. leaving:
   /// the half-arcs that start there.
-  void Link(const Vec3<Exact>& d, std::vector<int>& leaving) {
+  void Link(const Vec3<Exact>& d, std::vector<HalfArcId>& leaving) {
     if (leaving.empty()) return;
     // Seen against d, the tangents turn as the normals of the planes do.
     const Vec3<Exact> first = Normal(leaving.front());
@@ -80,7 +89,7 @@ class LoopTracer {
       if (side != Sign::kZero) return side == Sign::kNegative;
       return SignOf(Dot(first, n)) == Sign::kNegative;
     };
-    std::ranges::sort(leaving, [&](int a, int b) {
+    std::ranges::sort(leaving, [&](HalfArcId a, HalfArcId b) {
       const Vec3<Exact> n = Normal(a);
       const Vec3<Exact> m = Normal(b);
       const bool n_lower = lower(n);
@@ -89,19 +98,19 @@ class LoopTracer {
     });
     for (std::size_t i = 0; i < leaving.size(); ++i) {
       const std::size_t before = (i + leaving.size() - 1) % leaving.size();
-      next_[Index(Twin(leaving[i]))] = leaving[before];
+      next_[Twin(leaving[i])] = leaving[before];
     }
   }
 
   const GluedView& view_;
-  std::span<const Vec3<Exact>> planes_;
-  std::vector<int> next_;  ///< per half-arc
+  IdSpan<GluedArcId, const Vec3<Exact>> planes_;
+  IdVector<HalfArcId, HalfArcId> next_;
 };
 
 }  // namespace
 
-std::vector<std::vector<ViewLoop>> LoopsOf(
-    const GluedView& view, std::span<const Vec3<Exact>> planes) {
+IdVector<RegionId, std::vector<ViewLoop>> LoopsOf(
+    const GluedView& view, IdSpan<GluedArcId, const Vec3<Exact>> planes) {
   return LoopTracer(view, planes).Trace();
 }
 

@@ -4,7 +4,6 @@
 #ifndef TRUELUX_VISIBILITY_VIEW_VIEW_LOOPS_H_
 #define TRUELUX_VISIBILITY_VIEW_VIEW_LOOPS_H_
 
-#include <span>
 #include <vector>
 
 #include "visibility/view/glued_view.h"
@@ -12,11 +11,11 @@
 
 namespace truelux {
 
-/// Entry r: the loops around region r. planes: entry a is the exact normal of
-/// arc a's plane, to its left. At a vertex a loop goes on with the next arc
+/// The loops around each region. planes: of each arc the exact normal of its
+/// plane, to its left. At a vertex a loop goes on with the next arc
 /// around it, so that nothing but the region lies between the two.
-std::vector<std::vector<ViewLoop>> LoopsOf(const GluedView& view,
-                                           std::span<const Vec3<Exact>> planes);
+IdVector<RegionId, std::vector<ViewLoop>> LoopsOf(
+    const GluedView& view, IdSpan<GluedArcId, const Vec3<Exact>> planes);
 
 }  // namespace truelux
 

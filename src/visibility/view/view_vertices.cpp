@@ -6,18 +6,15 @@
 #include <iterator>
 #include <utility>
 
+#include "scene/scene_access.h"
 #include "visibility/coincidence.h"
 
 namespace truelux {
 namespace {
 
-std::size_t Index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// The end of an arc's first or last piece that is not the vertex; an arc that
 /// was not joined yet.
-int OtherEnd(const GluedArc& arc, int vertex) {
+GluedVertexId OtherEnd(const GluedArc& arc, GluedVertexId vertex) {
   return arc.from == vertex ? arc.to : arc.from;
 }
 
@@ -38,9 +35,9 @@ GluedArc Turned(const GluedArc& a) {
 
 ArcsAround ArcsAroundVertices(const GluedView& view) {
   ArcsAround around(view.vertices.size());
-  for (std::size_t a = 0; a < view.arcs.size(); ++a) {
-    for (const int vertex : {view.arcs[a].from, view.arcs[a].to}) {
-      if (vertex >= 0) around[Index(vertex)].push_back(static_cast<int>(a));
+  for (const GluedArcId a : view.arcs.ids()) {
+    for (const GluedVertexId vertex : {view.arcs[a].from, view.arcs[a].to}) {
+      if (vertex.valid()) around[vertex].push_back(a);
     }
   }
   return around;
@@ -49,30 +46,30 @@ ArcsAround ArcsAroundVertices(const GluedView& view) {
 ViewVertices::ViewVertices(const ContourQuery& query, FacetViews views,
                            const EdgeIndex& edges)
     : query_(query), views_(views), edges_(edges), exact_(ViewOf(query)) {
-  for (int v = 0; v < static_cast<int>(query.scene.vertices().size()); ++v) {
-    const Vec3<Exact> d = exact_.FromReceiver(VertexId(v));
+  for (const VertexId v : VerticesOf(query.scene).ids()) {
+    const Vec3<Exact> d = exact_.FromReceiver(v);
     if (SignOf(Dot(exact_.ReceiverNormal(), d)) != Sign::kNegative)
       scene_vertices_.insert(MakePrimitive(d));
   }
 }
 
-bool ViewVertices::IsSource(int facet) const {
-  return facet >= 0 && views_[FacetId(facet)].is_source;
+bool ViewVertices::IsSource(FacetId facet) const {
+  return facet.valid() && views_[facet].is_source;
 }
 
-bool ViewVertices::CanJoin(const GluedView& view, int vertex,
-                           std::span<const int> arcs) const {
+bool ViewVertices::CanJoin(const GluedView& view, GluedVertexId vertex,
+                           std::span<const GluedArcId> arcs) const {
   if (arcs.size() != 2 || arcs[0] == arcs[1]) return false;
-  const GluedArc& a = view.arcs[Index(arcs[0])];
-  const GluedArc& b = view.arcs[Index(arcs[1])];
-  const auto direction = [&view](int v) -> const Vec3<Exact>& {
-    return view.vertices[Index(v)].direction;
+  const GluedArc& a = view.arcs[arcs[0]];
+  const GluedArc& b = view.arcs[arcs[1]];
+  const auto direction = [&view](GluedVertexId v) -> const Vec3<Exact>& {
+    return view.vertices[v].direction;
   };
   if (!IsStraight(direction(OtherEnd(a, vertex)), direction(vertex),
                   direction(OtherEnd(b, vertex)))) {
     return false;
   }
-  const GluedVertex& here = view.vertices[Index(vertex)];
+  const GluedVertex& here = view.vertices[vertex];
   if (!scene_vertices_.contains(here.key)) return true;
   const bool bounds_source = IsSource(a.left) || IsSource(a.right) ||
                              IsSource(b.left) || IsSource(b.right);
@@ -81,31 +78,31 @@ bool ViewVertices::CanJoin(const GluedView& view, int vertex,
 
 void ViewVertices::JoinArcs(GluedView& view) const {
   const ArcsAround around = ArcsAroundVertices(view);
-  std::vector<bool> joins;
-  for (std::size_t v = 0; v < around.size(); ++v)
-    joins.push_back(CanJoin(view, static_cast<int>(v), around[v]));
-  std::vector<GluedArc> joined;
-  std::vector<bool> done(view.arcs.size(), false);
+  IdVector<GluedVertexId, bool> joins;
+  for (const GluedVertexId v : around.ids())
+    joins.push_back(CanJoin(view, v, around[v]));
+  IdVector<GluedArcId, GluedArc> joined;
+  IdVector<GluedArcId, bool> done(view.arcs.size(), false);
   /// Lengthens an arc at its end as far as it goes on.
-  const auto extend = [&](GluedArc& arc, int last) {
-    while (joins[Index(arc.to)]) {
-      const std::vector<int>& there = around[Index(arc.to)];
-      const int next = there[0] == last ? there[1] : there[0];
-      if (done[Index(next)]) break;  // once around the horizon
-      done[Index(next)] = true;
-      arc.to = OtherEnd(view.arcs[Index(next)], arc.to);
+  const auto extend = [&](GluedArc& arc, GluedArcId last) {
+    while (joins[arc.to]) {
+      const std::vector<GluedArcId>& there = around[arc.to];
+      const GluedArcId next = there[0] == last ? there[1] : there[0];
+      if (done[next]) break;  // once around the horizon
+      done[next] = true;
+      arc.to = OtherEnd(view.arcs[next], arc.to);
       last = next;
     }
   };
-  for (std::size_t a = 0; a < view.arcs.size(); ++a) {
+  for (const GluedArcId a : view.arcs.ids()) {
     if (done[a]) continue;
     done[a] = true;
     GluedArc arc = view.arcs[a];
-    extend(arc, static_cast<int>(a));
+    extend(arc, a);
     arc = Turned(arc);
-    extend(arc, static_cast<int>(a));
+    extend(arc, a);
     arc = Turned(arc);
-    if (arc.from == arc.to && joins[Index(arc.from)]) arc.from = arc.to = -1;
+    if (arc.from == arc.to && joins[arc.from]) arc.from = arc.to = {};
     joined.push_back(arc);
   }
   view.arcs = std::move(joined);
@@ -113,14 +110,14 @@ void ViewVertices::JoinArcs(GluedView& view) const {
 
 /// Whether just one source borders on a vertex, and its border goes straight
 /// through it: then it is no vertex of that border.
-bool ViewVertices::PassesStraight(const GluedView& view, int vertex,
-                                  std::span<const int> arcs) const {
-  std::vector<std::pair<int, const GluedArc*>> borders;
-  for (const int a : arcs) {
-    const GluedArc& arc = view.arcs[Index(a)];
-    for (const int facet : {arc.left, arc.right}) {
+bool ViewVertices::PassesStraight(const GluedView& view, GluedVertexId vertex,
+                                  std::span<const GluedArcId> arcs) const {
+  std::vector<std::pair<FaceId, const GluedArc*>> borders;
+  for (const GluedArcId a : arcs) {
+    const GluedArc& arc = view.arcs[a];
+    for (const FacetId facet : {arc.left, arc.right}) {
       if (!IsSource(facet)) continue;
-      borders.emplace_back(query_.scene.facets()[Index(facet)].face, &arc);
+      borders.emplace_back(FaceOf(query_.scene, facet), &arc);
     }
   }
   if (borders.size() != 2 || borders[0].first != borders[1].first) return false;
@@ -128,19 +125,20 @@ bool ViewVertices::PassesStraight(const GluedView& view, int vertex,
   if (borders[0].second->on_horizon() && borders[1].second->on_horizon())
     return true;
   const auto beyond = [&](const GluedArc& arc) -> const Vec3<Exact>& {
-    const int end = arc.from == vertex ? arc.piece_to : arc.piece_from;
-    return view.vertices[Index(end)].direction;
+    const GluedVertexId end =
+        arc.from == vertex ? arc.piece_to : arc.piece_from;
+    return view.vertices[end].direction;
   };
-  return IsStraight(beyond(*borders[0].second),
-                    view.vertices[Index(vertex)].direction,
+  return IsStraight(beyond(*borders[0].second), view.vertices[vertex].direction,
                     beyond(*borders[1].second));
 }
 
-WholeViewVertex ViewVertices::Classify(const GluedView& view, int vertex,
-                                       std::span<const int> arcs) const {
-  const GluedVertex& here = view.vertices[Index(vertex)];
-  const bool any_source = std::ranges::any_of(arcs, [&](int a) {
-    const GluedArc& arc = view.arcs[Index(a)];
+WholeViewVertex ViewVertices::Classify(const GluedView& view,
+                                       GluedVertexId vertex,
+                                       std::span<const GluedArcId> arcs) const {
+  const GluedVertex& here = view.vertices[vertex];
+  const bool any_source = std::ranges::any_of(arcs, [&](GluedArcId a) {
+    const GluedArc& arc = view.arcs[a];
     return IsSource(arc.left) || IsSource(arc.right);
   });
   if (!any_source) return Describe(here, false);
@@ -157,16 +155,17 @@ std::vector<EdgeHit> ViewVertices::HitsOf(const EdgesAt& edges,
                                           bool bounds_source) const {
   if (bounds_source) {
     std::vector<EdgeHit> hits;
-    for (const int facet : vertex.around) {
+    for (const FacetId facet : vertex.around) {
       if (!IsSource(facet)) continue;
       std::ranges::move(edges.OfSource(facet), std::back_inserter(hits));
     }
     return hits;
   }
-  int farthest = vertex.around.front();  // -1, nothing, comes first
-  for (const int facet : vertex.around) {
-    if (farthest >= 0 && edges_.DepthOrder(facet, farthest, vertex.direction) ==
-                             Sign::kPositive) {
+  FacetId farthest = vertex.around.front();  // none, nothing, comes first
+  for (const FacetId facet : vertex.around) {
+    if (farthest.valid() &&
+        edges_.DepthOrder(facet, farthest, vertex.direction) ==
+            Sign::kPositive) {
       farthest = facet;
     }
   }
@@ -191,7 +190,7 @@ WholeViewVertex ViewVertices::Describe(const GluedVertex& vertex,
   result.bounds_source = bounds_source;
   result.planes_with_hidden = result.vertex.planes;
   if (result.vertex.conjunctive) {
-    for (const EdgeHit& hit : edges.NotBehind(-1))
+    for (const EdgeHit& hit : edges.NotBehind(FacetId()))
       c.Add(hit.plane, hit.vertex, normal);
     ContourVertex all;
     c.Describe(vertex.on_horizon, all);

@@ -15,9 +15,9 @@
 
 namespace truelux {
 
-/// Where the arcs of a view end: per vertex their indices, one that starts and
-/// ends there twice.
-using ArcsAround = std::vector<std::vector<int>>;
+/// The arcs of a view that end at each vertex, one that starts and ends there
+/// twice.
+using ArcsAround = IdVector<GluedVertexId, std::vector<GluedArcId>>;
 
 ArcsAround ArcsAroundVertices(const GluedView& view);
 
@@ -30,20 +30,21 @@ class ViewVertices {
 
   /// Joins two arcs where nothing but they meet, one goes on as the other, and
   /// no scene vertex is there that could show. An arc of the horizon may become
-  /// the whole of it: then from = to, -1 if no vertex is left on it. Vertices
+  /// the whole of it: then from = to, none if no vertex is left on it. Vertices
   /// where no arc is left stay.
   void JoinArcs(GluedView& view) const;
 
-  /// What a vertex is. arcs: the indices of those that end there.
-  [[nodiscard]] WholeViewVertex Classify(const GluedView& view, int vertex,
-                                         std::span<const int> arcs) const;
+  /// What a vertex is. arcs: those that end there.
+  [[nodiscard]] WholeViewVertex Classify(
+      const GluedView& view, GluedVertexId vertex,
+      std::span<const GluedArcId> arcs) const;
 
  private:
-  [[nodiscard]] bool IsSource(int facet) const;
-  [[nodiscard]] bool CanJoin(const GluedView& view, int vertex,
-                             std::span<const int> arcs) const;
-  [[nodiscard]] bool PassesStraight(const GluedView& view, int vertex,
-                                    std::span<const int> arcs) const;
+  [[nodiscard]] bool IsSource(FacetId facet) const;
+  [[nodiscard]] bool CanJoin(const GluedView& view, GluedVertexId vertex,
+                             std::span<const GluedArcId> arcs) const;
+  [[nodiscard]] bool PassesStraight(const GluedView& view, GluedVertexId vertex,
+                                    std::span<const GluedArcId> arcs) const;
   [[nodiscard]] WholeViewVertex Describe(const GluedVertex& vertex,
                                          bool bounds_source) const;
   [[nodiscard]] std::vector<EdgeHit> HitsOf(const EdgesAt& edges,

@@ -18,10 +18,6 @@
 namespace truelux {
 namespace {
 
-std::size_t Index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// Puts the public view together.
 class ViewAssembly {
  public:
@@ -44,10 +40,10 @@ class ViewAssembly {
  private:
   void AddArc(const GluedArc& glued) {
     WholeViewArc arc;
-    arc.from = glued.from;
-    arc.to = glued.to;
-    arc.left = glued.left_region;
-    arc.right = glued.right_region;
+    arc.from = glued.from.value();
+    arc.to = glued.to.value();
+    arc.left = glued.left_region.value();
+    arc.right = glued.right_region.value();
     SetEdge(glued, arc);
     Vec3<Exact> plane = PlaneOf(arc);
     if (arc.kind != ViewArcKind::kHorizon &&
@@ -57,16 +53,16 @@ class ViewAssembly {
       plane = -plane;
     }
     arc.at_least_pi =
-        arc.from == arc.to ||
-        SignOf(Dot(plane, Cross(Direction(arc.from), Direction(arc.to)))) !=
+        glued.from == glued.to ||
+        SignOf(Dot(plane, Cross(Direction(glued.from), Direction(glued.to)))) !=
             Sign::kPositive;
     arc.plane_normal = ToDouble(MakePrimitive(plane));
     planes_.push_back(std::move(plane));
     view_.arcs.push_back(arc);
   }
 
-  const Vec3<Exact>& Direction(int vertex) const {
-    return glued_.vertices[Index(vertex)].direction;
+  const Vec3<Exact>& Direction(GluedVertexId vertex) const {
+    return glued_.vertices[vertex].direction;
   }
 
   /// The plane through r that holds an arc, with any sign.
@@ -86,10 +82,10 @@ class ViewAssembly {
     arc.kind = ViewArcKind::kSilhouette;
     const Vec3<Exact>& from = Direction(glued.piece_from);
     const Vec3<Exact>& to = Direction(glued.piece_to);
-    int near = std::max(glued.left, glued.right);
-    const int far = std::min(glued.left, glued.right);
+    FacetId near = std::max(glued.left, glued.right);
+    const FacetId far = std::min(glued.left, glued.right);
     Sign order = Sign::kPositive;  // far is farther
-    if (far >= 0) {
+    if (far.valid()) {
       order = edges_.DepthOrder(far, near, from);
       if (order == Sign::kZero) order = edges_.DepthOrder(far, near, to);
     }
@@ -104,7 +100,7 @@ class ViewAssembly {
   }
 
   /// Both facets are equally far all along; a < b.
-  void SetEdgeOfEqualDepth(int a, int b, const Vec3<Exact>& from,
+  void SetEdgeOfEqualDepth(FacetId a, FacetId b, const Vec3<Exact>& from,
                            const Vec3<Exact>& to, WholeViewArc& arc) {
     const auto edge_a = edges_.AlongArc(a, from, to);
     const auto edge_b = edges_.AlongArc(b, from, to);
@@ -132,26 +128,27 @@ class ViewAssembly {
     }
   }
 
-  void SetFacet(int index, int facet) {
-    if (index < 0 || facet < 0) return;
-    ViewRegion& region = view_.regions[Index(index)];
-    if (region.facet >= 0 && region.facet <= facet) return;
-    region.facet = facet;
+  void SetFacet(RegionId id, FacetId facet) {
+    if (!id.valid() || !facet.valid()) return;
+    ViewRegion& region = view_.regions[id.index()];
+    if (region.facet >= 0 && region.facet <= facet.value()) return;
+    region.facet = facet.value();
     region.face = edges_.FaceNumber(facet);
-    region.front = SignOf(views_[FacetId(facet)].height) == Sign::kNegative;
+    region.front = SignOf(views_[facet].height) == Sign::kNegative;
   }
 
   /// Those where arcs end, in the order of the arcs.
   void AddVertices(ViewVertices& vertices) {
     const ArcsAround around = ArcsAroundVertices(glued_);
-    std::vector<int> new_index(glued_.vertices.size(), -1);
+    IdVector<GluedVertexId, int> new_index(glued_.vertices.size(), -1);
     const auto renumber = [&](int& vertex) {
-      if (vertex < 0) return;
-      int& index = new_index[Index(vertex)];
+      const GluedVertexId glued(vertex);
+      if (!glued.valid()) return;
+      int& index = new_index[glued];
       if (index < 0) {
         index = static_cast<int>(view_.vertices.size());
         view_.vertices.push_back(
-            vertices.Classify(glued_, vertex, around[Index(vertex)]));
+            vertices.Classify(glued_, glued, around[glued]));
       }
       vertex = index;
     };
@@ -167,22 +164,22 @@ class ViewAssembly {
   const EdgeIndex& edges_;
   RecipeEvaluator<Exact> exact_;
   WholeView view_;
-  std::vector<Vec3<Exact>> planes_;  ///< per arc, to its left
-  Vec3<Exact> meeting_plane_;        ///< of the last arc of that kind
+  IdVector<GluedArcId, Vec3<Exact>> planes_;  ///< to the arc's left
+  Vec3<Exact> meeting_plane_;                 ///< of the last arc of that kind
 };
 
 }  // namespace
 
 WholeView WholeViewOf(const ContourQuery& query,
                       const std::function<void(int)>& on_step) {
-  constexpr int kCharts = kWholeViewSteps - 1;
+  constexpr std::size_t kCharts = kWholeViewSteps - 1;
   const IdVector<FacetId, FacetView> views = FacetViewsOf(query);
   std::vector<ChartView> charts;
-  for (int chart = 0; chart < kCharts; ++chart) {
-    if (on_step) on_step(chart);
-    charts.push_back(WholeChartViewOf(query, views, Index(chart)));
+  for (std::size_t chart = 0; chart < kCharts; ++chart) {
+    if (on_step) on_step(static_cast<int>(chart));
+    charts.push_back(WholeChartViewOf(query, views, chart));
   }
-  if (on_step) on_step(kCharts);
+  if (on_step) on_step(static_cast<int>(kCharts));
   GluedView glued = Glue(query, charts);
   const EdgeIndex edges(query, RelevantTriangles(query));
   ViewVertices vertices(query, views, edges);

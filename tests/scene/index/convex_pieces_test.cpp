@@ -16,6 +16,7 @@
 
 #include "truelux/scene.h"
 
+#include "scene/scene_access.h"
 #include "support/portable_random.h"
 
 namespace truelux {
@@ -43,15 +44,14 @@ TEST(ConvexPieces, AStrictlyConvexFaceIsOnePiece) {
                                 {-0.75, 0.5, 1}}});
   const ConvexPieces pieces(scene);
   ASSERT_EQ(pieces.pieces().size(), 2U);
-  EXPECT_EQ(pieces.pieces()[0].corner_count, 4);
-  EXPECT_EQ(pieces.pieces()[1].corner_count, 7);
-  EXPECT_EQ(pieces.PiecesOf(1).size(), 1U);
+  EXPECT_EQ(pieces.pieces()[PieceId(0)].corner_count, 4);
+  EXPECT_EQ(pieces.pieces()[PieceId(1)].corner_count, 7);
+  EXPECT_EQ(pieces.PiecesOf(FacetId(1)).size(), 1);
   // The ring runs as the face does: each corner is the square's next one.
-  const auto ring = pieces.CornersOf(pieces.pieces()[0]);
+  const auto ring = pieces.CornersOf(pieces.pieces()[PieceId(0)]);
   for (std::size_t k = 0; k < 4; ++k) {
-    const Point3& at = scene.vertices()[static_cast<std::size_t>(ring[k])];
-    const Point3& next =
-        scene.vertices()[static_cast<std::size_t>(ring[(k + 1) % 4])];
+    const Point3& at = VerticesOf(scene)[ring[k]];
+    const Point3& next = VerticesOf(scene)[ring[(k + 1) % 4]];
     const auto place = std::ranges::find(kSquare, at) - kSquare.begin();
     EXPECT_EQ(next, kSquare[static_cast<std::size_t>((place + 1) % 4)]);
   }
@@ -103,11 +103,11 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return "Case" + std::to_string(tested.index); });
 
 /// Twice the signed area of a ring in the plane z = 0; exact for small integers.
-double TwiceArea(const Scene& scene, std::span<const int> ring) {
+double TwiceArea(const Scene& scene, std::span<const VertexId> ring) {
   double sum = 0;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const auto at = [&](std::size_t i) {
-      return scene.vertices()[static_cast<std::size_t>(ring[i % ring.size()])];
+      return VerticesOf(scene)[ring[i % ring.size()]];
     };
     sum += at(k).x * at(k + 1).y - at(k + 1).x * at(k).y;
   }
@@ -140,16 +140,15 @@ TEST(ConvexPieces, OfStarsAreConvexAndTileThem) {
       for (int k = 0; k < piece.corner_count; ++k) {
         const auto n = static_cast<std::size_t>(piece.corner_count);
         const auto i = static_cast<std::size_t>(k);
-        const std::array<int, 3> turn{corners[i], corners[(i + 1) % n],
-                                      corners[(i + 2) % n]};
+        const std::array<VertexId, 3> turn{corners[i], corners[(i + 1) % n],
+                                           corners[(i + 2) % n]};
         ASSERT_GT(TwiceArea(scene, turn), 0) << "round " << round;
       }
     }
-    const Face& face = scene.faces()[0];
-    EXPECT_EQ(
-        sum,
-        TwiceArea(scene, scene.corners().subspan(
-                             0, static_cast<std::size_t>(face.corner_count))));
+    std::vector<VertexId> corners;
+    for (int k = 0; k < scene.faces()[0].corner_count; ++k)
+      corners.emplace_back(scene.corners()[static_cast<std::size_t>(k)]);
+    EXPECT_EQ(sum, TwiceArea(scene, corners));
   }
   // Random stars have reflex corners, but joining pays.
   EXPECT_LT(pieces_of_all, triangles * 6 / 10);
@@ -173,10 +172,11 @@ TEST(ConvexPieces, SameEdgesAreLinkedWhateverTheirDirection) {
                                {{0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}}});
   const ConvexPieces pieces(scene);
   ASSERT_EQ(pieces.pieces().size(), 3U);
+  ASSERT_EQ(pieces.corners().size(), 12U);
   int shared = 0;
-  for (int edge = 0; edge < 12; ++edge) {
-    std::set<int> owners{pieces.PieceOf(edge)};
-    for (int other = pieces.NextSameEdge(edge); other != edge;
+  for (const EdgeId edge : pieces.corners().ids()) {
+    std::set<PieceId> owners{pieces.PieceOf(edge)};
+    for (EdgeId other = pieces.NextSameEdge(edge); other != edge;
          other = pieces.NextSameEdge(other)) {
       EXPECT_TRUE(owners.insert(pieces.PieceOf(other)).second);
     }
@@ -186,7 +186,7 @@ TEST(ConvexPieces, SameEdgesAreLinkedWhateverTheirDirection) {
   EXPECT_EQ(shared, 3);
 }
 
-TEST(ConvexPieces, CoplanarFacesThatAreConnectedHaveOneNumber) {
+TEST(ConvexPieces, KnowConnectedCoplanarFaces) {
   // Three squares in a row, the second tilted by one ulp; a fourth coplanar
   // with the first, on the other side; a fifth in the plane, but apart.
   const double up = 0x1p-52;
@@ -196,10 +196,9 @@ TEST(ConvexPieces, CoplanarFacesThatAreConnectedHaveOneNumber) {
                                {{0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}},
                                {{5, 5, 0}, {6, 5, 0}, {6, 6, 0}}});
   const ConvexPieces pieces(scene);
-  EXPECT_EQ(pieces.PlaneNumber(0), pieces.PlaneNumber(3));
-  EXPECT_NE(pieces.PlaneNumber(0), pieces.PlaneNumber(1));
-  EXPECT_NE(pieces.PlaneNumber(1), pieces.PlaneNumber(2));
-  EXPECT_NE(pieces.PlaneNumber(0), pieces.PlaneNumber(4));
+  for (const int apart : {0, 1, 2, 4})
+    EXPECT_EQ(pieces.FirstInPlaneOf(FacetId(apart)), FacetId(apart));
+  EXPECT_EQ(pieces.FirstInPlaneOf(FacetId(3)), FacetId(0));
 }
 
 TEST(ConvexPieces, AnEmptySceneHasNone) {

@@ -93,10 +93,10 @@ class Directions {
       : index_(index), random_(random) {}
 
   std::optional<Vec3<Exact>> Next() {
-    if (index_.edge_count() == 0) return std::nullopt;
+    if (index_.edges().size() == 0) return std::nullopt;
     const Segment s = index_.SegmentOf(AnyEdge());
-    const Vec3<Exact> a = index_.exact().FromReceiver(VertexId(s.a));
-    const Vec3<Exact> b = index_.exact().FromReceiver(VertexId(s.b));
+    const Vec3<Exact> a = index_.exact().FromReceiver(s.a);
+    const Vec3<Exact> b = index_.exact().FromReceiver(s.b);
     switch (random_.Integer(0, 9)) {
       case 0:
         return a;
@@ -116,7 +116,9 @@ class Directions {
   }
 
  private:
-  int AnyEdge() { return random_.Integer(0, index_.edge_count() - 1); }
+  SceneEdgeId AnyEdge() {
+    return SceneEdgeId(random_.Integer(0, index_.edges().size() - 1));
+  }
 
   static Vec3<Exact> Between(const Vec3<Exact>& a, int part,
                              const Vec3<Exact>& b) {
@@ -127,14 +129,14 @@ class Directions {
   /// Where the edge crosses the plane of a random triangle.
   std::optional<Vec3<Exact>> PassingOf(const Segment& s) {
     const auto triangles = index_.triangles();
-    const int t = triangles[Index(
+    const TriangleId t = triangles[Index(
         random_.Integer(0, static_cast<int>(triangles.size()) - 1))];
     const RecipeEvaluator<Exact>& exact = index_.exact();
-    const Exact at_a = exact.AboveTriangle(TriangleId(t), VertexId(s.a));
-    const Exact at_b = exact.AboveTriangle(TriangleId(t), VertexId(s.b));
+    const Exact at_a = exact.AboveTriangle(t, s.a);
+    const Exact at_b = exact.AboveTriangle(t, s.b);
     if (SignOf(at_a) * SignOf(at_b) != Sign::kNegative) return std::nullopt;
-    const Vec3<Exact> d = at_a * exact.FromReceiver(VertexId(s.b)) -
-                          at_b * exact.FromReceiver(VertexId(s.a));
+    const Vec3<Exact> d =
+        at_a * exact.FromReceiver(s.b) - at_b * exact.FromReceiver(s.a);
     return SignOf(at_a) == Sign::kPositive ? d : -d;
   }
 
@@ -144,8 +146,8 @@ class Directions {
     for (int tries = 0; tries < 20; ++tries) {
       const Segment t = index_.SegmentOf(AnyEdge());
       if (t.edge == s.edge) continue;
-      const Vec3<Exact> u = index_.exact().FromReceiver(VertexId(t.a));
-      const Vec3<Exact> v = index_.exact().FromReceiver(VertexId(t.b));
+      const Vec3<Exact> u = index_.exact().FromReceiver(t.a);
+      const Vec3<Exact> v = index_.exact().FromReceiver(t.b);
       const Vec3<Exact> d = Cross(Cross(a, b), Cross(u, v));
       if (Dot(d, d).is_zero()) continue;
       for (const Vec3<Exact>& way : {d, -d}) {
@@ -176,16 +178,17 @@ class EdgesOf : public ::testing::TestWithParam<Kind> {
     const PlainEdges plain(query);
     const RationalVector rational = RationalOf(d);
     const EdgesAt at(index, d);
-    const auto everything = Plain(at.NotBehind(-1));
+    const auto everything = Plain(at.NotBehind(FacetId()));
     EXPECT_EQ(everything, plain.NotBehind(-1, rational));
     const int facets = static_cast<int>(query.scene.facets().size());
     for (int facet = 0; facet < facets; ++facet) {
       if (!plain.TakesPart(facet)) continue;
-      const auto of_source = Plain(at.OfSource(facet));
+      const auto of_source = Plain(at.OfSource(FacetId(facet)));
       EXPECT_EQ(of_source, plain.OfSource(facet, rational, NamedBy::kView));
       Count(everything, of_source);
       if (!plain.Meets(facet, rational)) continue;
-      EXPECT_EQ(Plain(at.NotBehind(facet)), plain.NotBehind(facet, rational));
+      EXPECT_EQ(Plain(at.NotBehind(FacetId(facet))),
+                plain.NotBehind(facet, rational));
       CompareOfSource(query, facet, d, plain);
     }
   }
@@ -205,9 +208,9 @@ class EdgesOf : public ::testing::TestWithParam<Kind> {
   void CompareOfSource(const ContourQuery& query, int facet,
                        const Vec3<Exact>& d, const PlainEdges& plain) {
     const RationalVector rational = RationalOf(d);
-    const FacetFront source(query, facet);
+    const FacetFront source(query, FacetId(facet));
     const EdgeIndex index(query, TrianglesOfSource(query, source));
-    EXPECT_EQ(Plain(EdgesAt(index, d).OfSource(facet)),
+    EXPECT_EQ(Plain(EdgesAt(index, d).OfSource(FacetId(facet))),
               plain.OfSource(facet, rational, NamedBy::kSource));
     const auto nearest = NearestEdge(index, source).To(d);
     // A segment that passes behind the source is measured by its ends.

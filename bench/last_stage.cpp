@@ -48,18 +48,18 @@ void Prepare(const Scene& scene, const std::vector<Receiver>& receivers,
              const EvaluationQuery& evaluation, Group& group) {
   const ContourEngine engine(scene);
   for (const Receiver& receiver : receivers) {
-    const ContourQuery query{scene, receiver, 0};
+    const ContourQuery query{scene, receiver};
     const Contour contour = engine.Build(query);
     std::vector<Rgb> weights;
     FindWeights(query, contour, weights);
     const WeightedContour weighted{ViewOf(query), contour, weights};
     Channels lit{};
-    for (std::size_t i = 0; i < contour.sources.size(); ++i) {
+    for (const SourceId source : contour.sources.ids()) {
       for (std::size_t c = 0; c < 3; ++c)
-        lit[c] = lit[c] || weighted.IsLit(i, c);
+        lit[c] = lit[c] || weighted.IsLit(source, c);
     }
     if (!Any(lit)) continue;
-    const std::vector<bool> on_horizon = PlanesOnHorizon(weighted);
+    const HorizonPlanes on_horizon = PlanesOnHorizon(weighted);
     ExactSum sum = ExactSumOf(weighted, evaluation, on_horizon);
     ExactSum same = ExactSumOf(weighted, evaluation, on_horizon);
     group.receivers.push_back(

@@ -77,6 +77,7 @@ class IdSpan {
   constexpr explicit IdSpan(std::span<T> values) : values_(values) {}
 
   /// What may be written may be read.
+  // NOLINTNEXTLINE(google-explicit-constructor): as a span becomes a const one
   constexpr IdSpan(const IdSpan<Key, std::remove_const_t<T>>& other) requires
       std::is_const_v<T> : values_(other.values()) {}
 

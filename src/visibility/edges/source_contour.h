@@ -57,7 +57,7 @@ class SourceContour {
 
   void NumberCandidates();
   void NumberEdges(std::span<Part> parts, bool are_blockers, int& next);
-  bool IsDiagonal(EdgeId edge) const;
+  [[nodiscard]] bool IsDiagonal(EdgeId edge) const;
   bool IsInner(EdgeId edge);
   static bool IsOwnedBefore(const Part& part, const Cover& cover, int id);
 

@@ -10,14 +10,14 @@
 namespace truelux {
 namespace {
 
-struct Plane2 {
+struct Point2 {
   double x;
   double y;
 };
 
 /// A difference and a sum of products side by side, as GCC 12 fuses them at -O3
 /// despite -ffp-contract=off. Not inlined, so that they are compiled like this.
-[[gnu::noinline]] Plane2 Turned(const Plane2& p, double c, double s) {
+[[gnu::noinline]] Point2 Turned(const Point2& p, double c, double s) {
   return {c * p.x - s * p.y, c * p.y + s * p.x};
 }
 
@@ -36,10 +36,10 @@ TEST(Contraction, ProductsAreRoundedBeforeTheyAreAdded) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   std::size_t fused_would_differ = 0;
   for (int i = 0; i < 1000; ++i) {
-    const Plane2 p{uniform(random), uniform(random)};
+    const Point2 p{uniform(random), uniform(random)};
     const double c = uniform(random);
     const double s = uniform(random);
-    const Plane2 q = Turned(p, c, s);
+    const Point2 q = Turned(p, c, s);
     const double difference = Rounded(c, p.x) - Rounded(s, p.y);
     EXPECT_EQ(q.x, difference);
     EXPECT_EQ(q.y, Rounded(c, p.y) + Rounded(s, p.x));

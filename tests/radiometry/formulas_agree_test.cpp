@@ -71,17 +71,18 @@ TEST_P(FormulasAgree, ToSixtyDigits) {
   int sources = 0;
   int unbounded = 0;
   const int most = SweepSize(8, std::numeric_limits<int>::max());
+  const std::vector<Formula> forms = ClosedForms();
   LookAtEach(GetParam(), [&](const WeightedContour& weighted) {
     if (sources >= most) return;
     FormulaEvaluation<Multiprecision> formulas(weighted, 0x1p20, 1024);
-    for (const Formula formula : ClosedForms())
+    for (const Formula formula : forms)
       formulas.Prepare(formula);
     for (std::size_t i = 0; i < formulas.lit().size(); ++i) {
       if (++sources > most) return;
       const Multiprecision truth =
           formulas.Evaluate(Formula::kLambertEdge, i).value;
       ASSERT_FALSE(IsNegative(truth) || IsZero(truth));
-      for (const Formula formula : ClosedForms()) {
+      for (const Formula formula : forms) {
         const auto sum = formulas.Evaluate(formula, i);
         ASSERT_TRUE(sum.applicable);
         if (sum.truncation > 0) {

@@ -7,7 +7,8 @@
 //
 // CGAL's lower_envelope_3 would do all of this in one call, and did until it
 // crashed (5.5.1, without assertions) on soups of triangles with integer
-// corners. The sweep behind Arrangement_2 has not failed on any of them.
+// corners. The sweep behind Arrangement_2 has not failed on any of them, and it
+// is given no segments that overlap (image_segments.h).
 
 #include "visibility/arrangement/arrangement_map.h"
 
@@ -27,13 +28,6 @@
 
 namespace truelux {
 namespace {
-
-struct JoinIds {
-  TriangleIds operator()(TriangleIds a, const TriangleIds& b) const {
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-  }
-};
 
 using Traits = CGAL::Arr_curve_data_traits_2<CGAL::Arr_segment_traits_2<Kernel>,
                                              TriangleIds, JoinIds>;

@@ -33,6 +33,14 @@ using ImageTriangleId = Id<struct ImageTriangleTag>;
 /// meet.
 using TriangleIds = std::vector<ImageTriangleId>;
 
+/// What two edges in one place are part of.
+struct JoinIds {
+  TriangleIds operator()(TriangleIds a, const TriangleIds& b) const {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  }
+};
+
 /// A segment of the image, and what it is part of.
 struct ImageSegment {
   ImageSegment(const Kernel::Point_2& p, const Kernel::Point_2& q,
@@ -81,10 +89,8 @@ inline void AddParts(std::span<const ImageSegment> segments,
       open.push_back(&*next);
     if (open.empty()) continue;
     TriangleIds triangles;
-    for (const ImageSegment* s : open) {
-      triangles.insert(triangles.end(), s->triangles.begin(),
-                       s->triangles.end());
-    }
+    for (const ImageSegment* s : open)
+      triangles = JoinIds()(std::move(triangles), s->triangles);
     parts.emplace_back(ends[k], ends[k + 1], std::move(triangles));
   }
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 namespace truelux {
+
 template <class Geometry>
 BlockerParts<Geometry>::BlockerParts(const ConvexPieces& pieces,
                                      Geometry& geometry,

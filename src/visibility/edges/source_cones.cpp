@@ -6,6 +6,7 @@
 #include "scene/scene_access.h"
 
 namespace truelux {
+
 template <class Geometry>
 SourceCones<Geometry>::SourceCones(const Scene& scene,
                                    const ConvexPieces& pieces,

@@ -8,6 +8,7 @@
 #include "scene/scene_access.h"
 
 namespace truelux {
+
 FacetFront::FacetFront(const ContourQuery& query, FacetId facet)
     : query_(query),
       sides_(ViewOf(query)),

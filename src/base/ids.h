@@ -64,6 +64,12 @@ using PieceId = Id<struct PieceTag>;
 using PlaneId = Id<struct PlaneTag>;
 /// Index of a direction from the receiver, into Contour::directions.
 using DirectionId = Id<struct DirectionTag>;
+/// Index of a plane of a ViewGeometry, which has more than a Contour takes.
+using ViewPlaneId = Id<struct ViewPlaneTag>;
+/// Index of a direction of a ViewGeometry.
+using ViewDirectionId = Id<struct ViewDirectionTag>;
+/// Index of several planes of a ViewGeometry that are asked together.
+using BundleId = Id<struct BundleTag>;
 /// Index of a vector that no recipe describes, into ExplicitVectors.
 using ExplicitId = Id<struct ExplicitTag>;
 /// Index into Contour::arcs.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/ids.h"
 #include "exact/filter.h"
 #include "exact/rounding.h"
 #include "exact/sign.h"
@@ -25,7 +26,7 @@ struct Side {
 /// strictly on opposite sides. Crossings of one edge are in the order of
 /// their parameters |A.u| / (|A.u| + |A.v|), which is known up to an error.
 struct Crossing {
-  int plane = -1;           ///< A
+  ViewPlaneId plane;        ///< A
   Sign from = Sign::kZero;  ///< of A . u; that of A . v is the opposite
   double parameter = 0;
   double error = HUGE_VAL;  ///< bound on |parameter - the true one|
@@ -40,7 +41,8 @@ struct Crossing {
 /// at most 1.01 times the same over s^2 if e <= s/1024. The quotient is rounded
 /// three times (s, 1/s, the product), each by kDirectedUnit: 4 kDirectedUnit covers them.
 /// Requires RoundUpward; an infinite or NaN error tells nothing.
-inline Crossing MakeCrossing(int plane, const Side& from, const Side& to) {
+inline Crossing MakeCrossing(ViewPlaneId plane, const Side& from,
+                             const Side& to) {
   assert(IsRoundingUpward());
   const double f = std::fabs(from.value.value);
   const double g = std::fabs(to.value.value);

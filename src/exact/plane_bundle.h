@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/ids.h"
 #include "exact/crossing.h"
 #include "exact/filter.h"
 #include "exact/lanes.h"
@@ -51,7 +52,7 @@ class PlaneBundle {
   PlaneBundle() {}
 
   /// Adds a plane with its id.
-  void Add(const FilteredPlane& plane, int id) {
+  void Add(const FilteredPlane& plane, ViewPlaneId id) {
     assert(size_ < BundleSides::kMaxPlanes);
     Quad& quad = quads_[size_ / kLanes];
     const std::size_t lane = size_ % kLanes;
@@ -67,7 +68,7 @@ class PlaneBundle {
 
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  [[nodiscard]] int id(std::size_t k) const { return ids_[k]; }
+  [[nodiscard]] ViewPlaneId id(std::size_t k) const { return ids_[k]; }
 
   /// A bit for every plane.
   [[nodiscard]] std::uint32_t mask() const { return (1U << size_) - 1; }
@@ -114,7 +115,7 @@ class PlaneBundle {
   }
 
   std::array<Quad, BundleSides::kMaxPlanes / kLanes> quads_;
-  std::array<int, BundleSides::kMaxPlanes> ids_;
+  std::array<ViewPlaneId, BundleSides::kMaxPlanes> ids_;
   std::size_t size_ = 0;
 };
 

@@ -65,9 +65,8 @@ void BasicViewGeometry<kKind>::SetReceiver(const Point3& position,
 }
 
 template <PredicateKind kKind>
-int BasicViewGeometry<kKind>::AddPlane(const PlaneRecipe& recipe) {
-  const int id = plane_count();
-  planes_.push_back({{}, recipe, kNotMade});
+ViewPlaneId BasicViewGeometry<kKind>::AddPlane(const PlaneRecipe& recipe) {
+  const ViewPlaneId id = planes_.push_back({{}, recipe, SlowId()});
   if (recipe.kind() == PlaneRecipe::Kind::kEdge) {
     const Point3& a = view_.vertices[recipe.from()];
     const Point3& b = view_.vertices[recipe.to()];
@@ -85,61 +84,60 @@ int BasicViewGeometry<kKind>::AddPlane(const PlaneRecipe& recipe) {
 }
 
 template <PredicateKind kKind>
-int BasicViewGeometry<kKind>::AddVertexDirection(VertexId vertex) {
-  const int id = direction_count();
-  vertex_directions_.Set(vertex, id);
-  directions_.push_back(
+ViewDirectionId BasicViewGeometry<kKind>::AddVertexDirection(VertexId vertex) {
+  const ViewDirectionId id = directions_.push_back(
       {FilteredDifference(view_.position, view_.vertices[vertex]),
-       DirectionRecipe::ToVertex(vertex), kNotMade});
+       DirectionRecipe::ToVertex(vertex), SlowId()});
+  vertex_directions_.Set(vertex, id);
   return id;
 }
 
 template <PredicateKind kKind>
-int BasicViewGeometry<kKind>::AddDirection(const DirectionRecipe& recipe) {
-  const int id = direction_count();
-  directions_.push_back({{}, recipe, kNotMade});
+ViewDirectionId BasicViewGeometry<kKind>::AddDirection(
+    const DirectionRecipe& recipe) {
+  const ViewDirectionId id = directions_.push_back({{}, recipe, SlowId()});
   directions_.back().filtered =
       MakeFilteredDirection(Approximate(SlowDirection(id).interval));
   return id;
 }
 
 template <PredicateKind kKind>
-auto BasicViewGeometry<kKind>::SlowPlane(int id) -> SlowVector& {
-  int& index = planes_[Index(id)].slow;
-  if (index == kNotMade) {
-    index = static_cast<int>(slow_.size());
-    slow_.push_back({interval_.Plane(planes_[Index(id)].recipe, {}), nullptr});
+auto BasicViewGeometry<kKind>::SlowPlane(ViewPlaneId id) -> SlowVector& {
+  SlowId& slow = planes_[id].slow;
+  if (!slow.valid()) {
+    slow = slow_.push_back({interval_.Plane(planes_[id].recipe, {}), nullptr});
   }
-  return slow_[Index(index)];
+  return slow_[slow];
 }
 
 template <PredicateKind kKind>
-auto BasicViewGeometry<kKind>::SlowDirection(int id) -> SlowVector& {
-  int& index = directions_[Index(id)].slow;
-  if (index == kNotMade) {
-    index = static_cast<int>(slow_.size());
-    slow_.push_back(
-        {interval_.Direction(directions_[Index(id)].recipe, {}, {}), nullptr});
+auto BasicViewGeometry<kKind>::SlowDirection(ViewDirectionId id)
+    -> SlowVector& {
+  SlowId& slow = directions_[id].slow;
+  if (!slow.valid()) {
+    slow = slow_.push_back(
+        {interval_.Direction(directions_[id].recipe, {}, {}), nullptr});
   }
-  return slow_[Index(index)];
+  return slow_[slow];
 }
 
 template <PredicateKind kKind>
-const Vec3<Exact>& BasicViewGeometry<kKind>::PlaneExact(int id) {
+const Vec3<Exact>& BasicViewGeometry<kKind>::PlaneExact(ViewPlaneId id) {
   SlowVector& slow = SlowPlane(id);
   if (!slow.exact) {
-    slow.exact = std::make_unique<Vec3<Exact>>(
-        exact_.Plane(planes_[Index(id)].recipe, {}));
+    slow.exact =
+        std::make_unique<Vec3<Exact>>(exact_.Plane(planes_[id].recipe, {}));
   }
   return *slow.exact;
 }
 
 template <PredicateKind kKind>
-const Vec3<Exact>& BasicViewGeometry<kKind>::DirectionExact(int id) {
+const Vec3<Exact>& BasicViewGeometry<kKind>::DirectionExact(
+    ViewDirectionId id) {
   SlowVector& slow = SlowDirection(id);
   if (!slow.exact) {
     slow.exact = std::make_unique<Vec3<Exact>>(
-        exact_.Direction(directions_[Index(id)].recipe, {}, {}));
+        exact_.Direction(directions_[id].recipe, {}, {}));
   }
   return *slow.exact;
 }
@@ -212,24 +210,26 @@ Sign BasicViewGeometry<kKind>::VertexSide(TriangleId triangle,
 }
 
 template <PredicateKind kKind>
-std::optional<Sign> BasicViewGeometry<kKind>::PlaneSideInterval(int plane,
-                                                                int direction) {
+std::optional<Sign> BasicViewGeometry<kKind>::PlaneSideInterval(
+    ViewPlaneId plane, ViewDirectionId direction) {
   // By value: the second may move the first.
   const Vec3<Interval> normal = SlowPlane(plane).interval;
   return TrySign(Dot(normal, SlowDirection(direction).interval));
 }
 
 template <PredicateKind kKind>
-Sign BasicViewGeometry<kKind>::PlaneSideExact(int plane, int direction) {
+Sign BasicViewGeometry<kKind>::PlaneSideExact(ViewPlaneId plane,
+                                              ViewDirectionId direction) {
   // References stay valid: the exact vectors live on the heap.
   const Vec3<Exact>& normal = PlaneExact(plane);
   return SignOf(Dot(normal, DirectionExact(direction)));
 }
 
 template <PredicateKind kKind>
-bool BasicViewGeometry<kKind>::Incident(int plane, int direction) const {
-  const PlaneRecipe& p = planes_[Index(plane)].recipe;
-  const DirectionRecipe& d = directions_[Index(direction)].recipe;
+bool BasicViewGeometry<kKind>::Incident(ViewPlaneId plane,
+                                        ViewDirectionId direction) const {
+  const PlaneRecipe& p = planes_[plane].recipe;
+  const DirectionRecipe& d = directions_[direction].recipe;
   using PlaneKind = PlaneRecipe::Kind;
   switch (d.kind()) {
     case DirectionRecipe::Kind::kVertex:
@@ -253,7 +253,8 @@ bool BasicViewGeometry<kKind>::Incident(int plane, int direction) const {
 }
 
 template <PredicateKind kKind>
-Sign BasicViewGeometry<kKind>::PlaneSideSlowly(int plane, int direction) {
+Sign BasicViewGeometry<kKind>::PlaneSideSlowly(ViewPlaneId plane,
+                                               ViewDirectionId direction) {
   StageCounts& counts = statistics_.plane_side;
   if (Incident(plane, direction)) {
     ++counts.symbolic;
@@ -268,38 +269,40 @@ Sign BasicViewGeometry<kKind>::PlaneSideSlowly(int plane, int direction) {
 }
 
 template <PredicateKind kKind>
-int BasicViewGeometry<kKind>::AddBundle(std::span<const int> planes) {
-  const int id = static_cast<int>(bundles_.size());
-  PlaneBundle& bundle = bundles_.emplace_back();
-  for (const int plane : planes)
-    bundle.Add(planes_[Index(plane)].filtered, plane);
-  return id;
+BundleId BasicViewGeometry<kKind>::AddBundle(
+    std::span<const ViewPlaneId> planes) {
+  PlaneBundle bundle;
+  for (const ViewPlaneId plane : planes)
+    bundle.Add(planes_[plane].filtered, plane);
+  return bundles_.push_back(bundle);
 }
 
 template <PredicateKind kKind>
-void BasicViewGeometry<kKind>::DecideSides(int bundle, int direction,
+void BasicViewGeometry<kKind>::DecideSides(BundleId bundle,
+                                           ViewDirectionId direction,
                                            std::uint32_t open,
                                            BundleSides& sides) {
   for (; open != 0; open &= open - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(open));
-    const Sign sign = PlaneSideSlowly(bundles_[Index(bundle)].id(k), direction);
+    const Sign sign = PlaneSideSlowly(bundles_[bundle].id(k), direction);
     if (sign == Sign::kPositive) sides.positive |= 1U << k;
     if (sign == Sign::kNegative) sides.negative |= 1U << k;
   }
 }
 
 template <PredicateKind kKind>
-bool BasicViewGeometry<kKind>::SameEdge(int plane, int other) const {
+bool BasicViewGeometry<kKind>::SameEdge(ViewPlaneId plane,
+                                        ViewPlaneId other) const {
   if (plane == other) return true;
-  const PlaneRecipe& p = planes_[Index(plane)].recipe;
-  const PlaneRecipe& q = planes_[Index(other)].recipe;
+  const PlaneRecipe& p = planes_[plane].recipe;
+  const PlaneRecipe& q = planes_[other].recipe;
   return p.kind() == PlaneRecipe::Kind::kEdge && q.kind() == p.kind() &&
          HaveSameEnds(p, q);
 }
 
 template <PredicateKind kKind>
 std::optional<Sign> BasicViewGeometry<kKind>::EdgeOrderInterval(
-    int edge_plane, const Crossing& a, const Crossing& b) {
+    ViewPlaneId edge_plane, const Crossing& a, const Crossing& b) {
   // By value: making one may move the others.
   const Vec3<Interval> n = SlowPlane(edge_plane).interval;
   const Vec3<Interval> na = SlowPlane(a.plane).interval;
@@ -309,7 +312,8 @@ std::optional<Sign> BasicViewGeometry<kKind>::EdgeOrderInterval(
 }
 
 template <PredicateKind kKind>
-Sign BasicViewGeometry<kKind>::EdgeOrderExact(int edge_plane, const Crossing& a,
+Sign BasicViewGeometry<kKind>::EdgeOrderExact(ViewPlaneId edge_plane,
+                                              const Crossing& a,
                                               const Crossing& b) {
   // References stay valid: the exact vectors live on the heap.
   const Vec3<Exact>& n = PlaneExact(edge_plane);
@@ -319,7 +323,7 @@ Sign BasicViewGeometry<kKind>::EdgeOrderExact(int edge_plane, const Crossing& a,
 }
 
 template <PredicateKind kKind>
-Sign BasicViewGeometry<kKind>::EdgeOrderSlowly(int edge_plane,
+Sign BasicViewGeometry<kKind>::EdgeOrderSlowly(ViewPlaneId edge_plane,
                                                const Crossing& a,
                                                const Crossing& b) {
   StageCounts& counts = statistics_.edge_order;

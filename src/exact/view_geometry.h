@@ -15,7 +15,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "truelux/statistics.h"
 
@@ -48,39 +47,38 @@ class BasicViewGeometry {
   void SetReceiver(const Point3& position, const Vector3& normal);
 
   /// Adds a plane and returns its id. A kCut plane may refer to any triangle.
-  int AddPlane(const PlaneRecipe& recipe);
+  ViewPlaneId AddPlane(const PlaneRecipe& recipe);
 
   /// The id of the direction to a scene vertex.
-  int VertexDirection(VertexId vertex) {
+  ViewDirectionId VertexDirection(VertexId vertex) {
     return vertex_directions_.Has(vertex) ? vertex_directions_[vertex]
                                           : AddVertexDirection(vertex);
   }
 
   /// Adds a direction that is no vertex and returns its id. kCrossing must
   /// not be added: no predicate needs it.
-  int AddDirection(const DirectionRecipe& recipe);
+  ViewDirectionId AddDirection(const DirectionRecipe& recipe);
 
   [[nodiscard]] const ReceiverView& view() const { return view_; }
 
-  [[nodiscard]] const PlaneRecipe& plane(int id) const {
-    return planes_[Index(id)].recipe;
+  [[nodiscard]] const PlaneRecipe& plane(ViewPlaneId id) const {
+    return planes_[id].recipe;
   }
 
-  [[nodiscard]] const DirectionRecipe& direction(int id) const {
-    return directions_[Index(id)].recipe;
+  [[nodiscard]] const DirectionRecipe& direction(ViewDirectionId id) const {
+    return directions_[id].recipe;
   }
 
-  [[nodiscard]] int plane_count() const {
-    return static_cast<int>(planes_.size());
-  }
+  [[nodiscard]] std::size_t plane_count() const { return planes_.size(); }
 
-  [[nodiscard]] int direction_count() const {
-    return static_cast<int>(directions_.size());
+  [[nodiscard]] std::size_t direction_count() const {
+    return directions_.size();
   }
 
   /// The direction as the filter sees it.
-  [[nodiscard]] const FilteredDirection& DirectionFilter(int id) const {
-    return directions_[Index(id)].filtered;
+  [[nodiscard]] const FilteredDirection& DirectionFilter(
+      ViewDirectionId id) const {
+    return directions_[id].filtered;
   }
 
   /// The normal of a triangle as the filter sees it.
@@ -102,7 +100,7 @@ class BasicViewGeometry {
   /// Sign of N . d. Properties: (1) negating either argument negates it;
   /// (2) zero for the two ends of the plane's own edge, known without
   /// arithmetic. No tie rule.
-  Side PlaneSide(int plane, int direction) {
+  Side PlaneSide(ViewPlaneId plane, ViewDirectionId direction) {
     const BoundedValue value = PlaneSideFilter(plane, direction);
     if constexpr (kKind == PredicateKind::kUnfiltered) {
       ++statistics_.plane_side.filter;
@@ -117,20 +115,22 @@ class BasicViewGeometry {
 
   /// Puts up to BundleSides::kMaxPlanes planes side by side, for FilterSides.
   /// Returns the bundle's id.
-  int AddBundle(std::span<const int> planes);
+  BundleId AddBundle(std::span<const ViewPlaneId> planes);
 
   /// PlaneSide of all planes of a bundle, as far as the filter knows: a plane
   /// with neither bit set is not known yet. Faster than one by one.
-  void FilterSides(int bundle, int direction, BundleSides& sides) {
-    bundles_[Index(bundle)].template Filter<kKind == PredicateKind::kExact>(
-        directions_[Index(direction)].filtered, sides);
+  void FilterSides(BundleId bundle, ViewDirectionId direction,
+                   BundleSides& sides) {
+    bundles_[bundle].template Filter<kKind == PredicateKind::kExact>(
+        directions_[direction].filtered, sides);
     statistics_.plane_side.filter += static_cast<std::uint64_t>(
         std::popcount(sides.positive | sides.negative));
   }
 
   /// Decides the planes that FilterSides left open. After it, a plane with
   /// neither bit set has sign zero.
-  void CompleteSides(int bundle, int direction, BundleSides& sides) {
+  void CompleteSides(BundleId bundle, ViewDirectionId direction,
+                     BundleSides& sides) {
     if (sides.complete) return;
     sides.complete = true;
     if constexpr (kKind == PredicateKind::kUnfiltered) return;
@@ -140,8 +140,8 @@ class BasicViewGeometry {
   }
 
   /// A bit for every plane of a bundle.
-  [[nodiscard]] std::uint32_t BundleMask(int bundle) const {
-    return bundles_[Index(bundle)].mask();
+  [[nodiscard]] std::uint32_t BundleMask(BundleId bundle) const {
+    return bundles_[bundle].mask();
   }
 
   /// Order of two crossings along an edge u -> v in the plane N, N a positive
@@ -150,7 +150,7 @@ class BasicViewGeometry {
   /// |A.u| |B.v| - |B.u| |A.v| = -s_A s_B det(N, A, B) (method.md eq. (8)).
   /// Properties: (1) antisymmetric; (2) transitive; (3) negating A or B keeps
   /// it. Degree 6 for edge planes. No tie rule.
-  Sign EdgeOrder(int edge_plane, const Crossing& a, const Crossing& b) {
+  Sign EdgeOrder(ViewPlaneId edge_plane, const Crossing& a, const Crossing& b) {
     if constexpr (kKind == PredicateKind::kUnfiltered) {
       ++statistics_.edge_order.filter;
       return SignOf(a.parameter - b.parameter);
@@ -165,8 +165,9 @@ class BasicViewGeometry {
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
 
   // The stages, for the cascades above and for tests.
-  [[nodiscard]] bool Incident(int plane, int direction) const;
-  [[nodiscard]] bool SameEdge(int plane, int other) const;
+  [[nodiscard]] bool Incident(ViewPlaneId plane,
+                              ViewDirectionId direction) const;
+  [[nodiscard]] bool SameEdge(ViewPlaneId plane, ViewPlaneId other) const;
   [[nodiscard]] std::optional<Sign> ReceiverSideInterval(
       TriangleId triangle) const;
   [[nodiscard]] Sign ReceiverSideExact(TriangleId triangle) const;
@@ -175,19 +176,21 @@ class BasicViewGeometry {
   [[nodiscard]] Sign VertexSideExact(TriangleId triangle,
                                      VertexId vertex) const;
 
-  [[nodiscard]] BoundedValue PlaneSideFilter(int plane, int direction) const {
-    return Filter(planes_[Index(plane)].filtered,
-                  directions_[Index(direction)].filtered);
+  [[nodiscard]] BoundedValue PlaneSideFilter(ViewPlaneId plane,
+                                             ViewDirectionId direction) const {
+    return Filter(planes_[plane].filtered, directions_[direction].filtered);
   }
 
-  std::optional<Sign> PlaneSideInterval(int plane, int direction);
-  Sign PlaneSideExact(int plane, int direction);
-  std::optional<Sign> EdgeOrderInterval(int edge_plane, const Crossing& a,
-                                        const Crossing& b);
-  Sign EdgeOrderExact(int edge_plane, const Crossing& a, const Crossing& b);
+  std::optional<Sign> PlaneSideInterval(ViewPlaneId plane,
+                                        ViewDirectionId direction);
+  Sign PlaneSideExact(ViewPlaneId plane, ViewDirectionId direction);
+  std::optional<Sign> EdgeOrderInterval(ViewPlaneId edge_plane,
+                                        const Crossing& a, const Crossing& b);
+  Sign EdgeOrderExact(ViewPlaneId edge_plane, const Crossing& a,
+                      const Crossing& b);
 
  private:
-  static constexpr int kNotMade = -1;
+  using SlowId = Id<struct SlowTag>;
 
   /// A vector at the slow stages, made when one is first needed.
   struct SlowVector {
@@ -199,16 +202,14 @@ class BasicViewGeometry {
   struct DirectionEntry {
     FilteredDirection filtered;
     DirectionRecipe recipe;
-    int slow = kNotMade;  ///< index into slow_
+    SlowId slow;  ///< none until it is needed
   };
 
   struct PlaneEntry {
     FilteredPlane filtered;
     PlaneRecipe recipe;
-    int slow = kNotMade;  ///< index into slow_
+    SlowId slow;  ///< none until it is needed
   };
-
-  static std::size_t Index(int id) { return static_cast<std::size_t>(id); }
 
   /// N . d with its bound; unfiltered without one.
   static BoundedValue Filter(const FilteredPlane& plane,
@@ -221,25 +222,26 @@ class BasicViewGeometry {
     return FilteredDot(plane, direction);
   }
 
-  int AddVertexDirection(VertexId vertex);
-  Sign PlaneSideSlowly(int plane, int direction);
-  void DecideSides(int bundle, int direction, std::uint32_t open,
-                   BundleSides& sides);
-  Sign EdgeOrderSlowly(int edge_plane, const Crossing& a, const Crossing& b);
-  SlowVector& SlowPlane(int id);
-  SlowVector& SlowDirection(int id);
-  const Vec3<Exact>& PlaneExact(int id);
-  const Vec3<Exact>& DirectionExact(int id);
+  ViewDirectionId AddVertexDirection(VertexId vertex);
+  Sign PlaneSideSlowly(ViewPlaneId plane, ViewDirectionId direction);
+  void DecideSides(BundleId bundle, ViewDirectionId direction,
+                   std::uint32_t open, BundleSides& sides);
+  Sign EdgeOrderSlowly(ViewPlaneId edge_plane, const Crossing& a,
+                       const Crossing& b);
+  SlowVector& SlowPlane(ViewPlaneId id);
+  SlowVector& SlowDirection(ViewDirectionId id);
+  const Vec3<Exact>& PlaneExact(ViewPlaneId id);
+  const Vec3<Exact>& DirectionExact(ViewDirectionId id);
 
   ReceiverView view_;
   IdSpan<TriangleId, const FilteredPlane> triangle_normals_;
   RecipeEvaluator<Interval> interval_;
   RecipeEvaluator<Exact> exact_;
-  std::vector<PlaneEntry> planes_;
-  std::vector<DirectionEntry> directions_;
-  std::vector<PlaneBundle> bundles_;
-  std::vector<SlowVector> slow_;
-  StampedTable<int, VertexId> vertex_directions_;
+  IdVector<ViewPlaneId, PlaneEntry> planes_;
+  IdVector<ViewDirectionId, DirectionEntry> directions_;
+  IdVector<BundleId, PlaneBundle> bundles_;
+  IdVector<SlowId, SlowVector> slow_;
+  StampedTable<ViewDirectionId, VertexId> vertex_directions_;
   Statistics statistics_;
 };
 

@@ -28,9 +28,10 @@ TEST(PlaneSide, IsZeroAtTheEndsOfItsOwnEdge) {
     }
     const RoundUpward rounding;
     ViewGeometry g = f.Make();
-    const int plane = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
+    const ViewPlaneId plane =
+        g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
     for (const int vertex : {0, 1}) {
-      const int d = g.VertexDirection(VertexId(vertex));
+      const auto d = g.VertexDirection(VertexId(vertex));
       EXPECT_EQ(g.PlaneSide(plane, d).sign, Sign::kZero);
       EXPECT_EQ(g.PlaneSideExact(plane, d), Sign::kZero);
     }
@@ -53,17 +54,17 @@ TEST(PlaneSide, ClippedEndsLieExactlyOnTheClippingPlane) {
                   {0, -5, random.Uniform(-1, 1)});
     const RoundUpward rounding;
     ViewGeometry g = f.Make();
-    const int horizon = g.AddPlane(PlaneRecipe::OfHorizon());
-    const int up = g.AddDirection(
+    const auto horizon = g.AddPlane(PlaneRecipe::OfHorizon());
+    const auto up = g.AddDirection(
         DirectionRecipe::EdgeAtHorizon(VertexId(0), VertexId(1)));
     EXPECT_EQ(g.PlaneSide(horizon, up).sign, Sign::kZero);
     const bool front =
         g.VertexSide(TriangleId(1), VertexId(0)) == Sign::kPositive;
-    const int cut_end = g.AddDirection(DirectionRecipe::EdgeAtPlane(
+    const auto cut_end = g.AddDirection(DirectionRecipe::EdgeAtPlane(
         VertexId(front ? 0 : 1), VertexId(front ? 1 : 0), TriangleId(1)));
-    const int cut =
+    const auto cut =
         g.AddPlane(PlaneRecipe::OfCut(TriangleId(1), TriangleId(0)));
-    const int edge = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
+    const auto edge = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
     EXPECT_EQ(g.PlaneSide(cut, cut_end).sign, Sign::kZero);
     EXPECT_EQ(g.PlaneSide(edge, cut_end).sign, Sign::kZero);
     EXPECT_EQ(g.PlaneSide(edge, up).sign, Sign::kZero);
@@ -99,8 +100,9 @@ TEST(PlaneSide, StagesAgreeOnNearTies) {
     f.vertices = {a, b, c};
     const RoundUpward rounding;
     ViewGeometry g = f.Make();
-    const int plane = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
-    const int d = g.VertexDirection(VertexId(2));
+    const ViewPlaneId plane =
+        g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
+    const auto d = g.VertexDirection(VertexId(2));
     const Sign exact = g.PlaneSideExact(plane, d);
     if (const auto sign = g.PlaneSideInterval(plane, d)) {
       ASSERT_EQ(*sign, exact) << "sample " << i;
@@ -140,13 +142,13 @@ TEST(EdgeOrder, StagesAgreeOnNearTiesAndAreTransitive) {
     }
     const RoundUpward rounding;
     ViewGeometry g = f.Make();
-    const int u = g.VertexDirection(VertexId(0));
-    const int v = g.VertexDirection(VertexId(1));
-    const int n = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
+    const auto u = g.VertexDirection(VertexId(0));
+    const auto v = g.VertexDirection(VertexId(1));
+    const auto n = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
     std::array<Crossing, 3> c;
     bool proper = true;
     for (int k = 0; k < 3; ++k) {
-      const int p = g.AddPlane(
+      const auto p = g.AddPlane(
           PlaneRecipe::OfEdge(VertexId(2 + 2 * k), VertexId(3 + 2 * k)));
       Crossing& crossing = c[static_cast<std::size_t>(k)];
       const Side from = g.PlaneSide(p, u);
@@ -194,18 +196,18 @@ TEST(EdgeOrder, GenericInputNeverReachesTheExactStage) {
     }
     const RoundUpward rounding;
     ViewGeometry g = f.Make();
-    const int u = g.VertexDirection(VertexId(0));
-    const int v = g.VertexDirection(VertexId(1));
+    const auto u = g.VertexDirection(VertexId(0));
+    const auto v = g.VertexDirection(VertexId(1));
     bool proper = true;
     const auto crossing = [&](int a) {
-      const int p =
+      const auto p =
           g.AddPlane(PlaneRecipe::OfEdge(VertexId(a), VertexId(a + 1)));
       const Side from = g.PlaneSide(p, u);
       const Side to = g.PlaneSide(p, v);
       proper = proper && from.sign * to.sign == Sign::kNegative;
       return MakeCrossing(p, from, to);
     };
-    const int n = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
+    const auto n = g.AddPlane(PlaneRecipe::OfEdge(VertexId(0), VertexId(1)));
     const Crossing a = crossing(2);
     const Crossing b = crossing(4);
     if (proper) g.EdgeOrder(n, a, b);

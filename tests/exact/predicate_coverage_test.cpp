@@ -125,13 +125,13 @@ TEST_P(EdgeOrderCoverage, HasSignAtCheapestStage) {
                 c.first[1], c.second[0], c.second[1]};
   const RoundUpward rounding;
   ViewGeometry g = f.Make();
-  const int u = g.VertexDirection(VertexId(0));
-  const int v = g.VertexDirection(VertexId(1));
+  const auto u = g.VertexDirection(VertexId(0));
+  const auto v = g.VertexDirection(VertexId(1));
   const auto edge = [&g](int a, int b) {
     return g.AddPlane(PlaneRecipe::OfEdge(VertexId(a), VertexId(b)));
   };
-  const int n = edge(0, 1);
-  const auto crossing = [&](int plane) {
+  const ViewPlaneId n = edge(0, 1);
+  const auto crossing = [&](ViewPlaneId plane) {
     return MakeCrossing(plane, g.PlaneSide(plane, u), g.PlaneSide(plane, v));
   };
   const Crossing a = crossing(edge(2, 3));

@@ -7,14 +7,6 @@
 #include <utility>
 
 namespace truelux {
-namespace {
-
-std::size_t Index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
-
 template <class Geometry>
 ConeMaker<Geometry>::ConeMaker(Geometry& geometry, const ConvexPieces& pieces)
     : geometry_(geometry),
@@ -39,16 +31,16 @@ Sign ConeMaker<Geometry>::ReceiverSide(PieceId piece) {
 
 template <class Geometry>
 Sign ConeMaker<Geometry>::HorizonSide(VertexId vertex) {
-  const int direction = geometry_.VertexDirection(vertex);
-  if (Index(direction) >= horizon_side_.size()) {
-    horizon_side_.resize(Index(direction) + 1);
+  const ViewDirectionId direction = geometry_.VertexDirection(vertex);
+  if (direction >= horizon_side_.end_id()) {
+    horizon_side_.resize(geometry_.direction_count());
   }
-  return horizon_side_[Index(direction)].Get(
+  return horizon_side_[direction].Get(
       [&] { return geometry_.PlaneSide(horizon_, direction).sign; });
 }
 
 template <class Geometry>
-int ConeMaker<Geometry>::EdgePlane(EdgeId edge) {
+ViewPlaneId ConeMaker<Geometry>::EdgePlane(EdgeId edge) {
   return edge_planes_.FindOrMake(edge, [&] {
     const auto corners = pieces_.corners();
     VertexId from = corners[edge];
@@ -62,7 +54,7 @@ int ConeMaker<Geometry>::EdgePlane(EdgeId edge) {
 template <class Geometry>
 void ConeMaker<Geometry>::MakePlanes(Cone& cone) {
   for (std::size_t k = 0; k < cone.size; ++k) {
-    if (cone.planes[k] == Cone::kNoPlane) {
+    if (!cone.planes[k].valid()) {
       cone.planes[k] = EdgePlane(cone.edges[k]);
     }
   }
@@ -87,7 +79,6 @@ Cone ConeMaker<Geometry>::Whole(PieceId piece) {
     const std::size_t edge = forward ? k : (2 * cone.size - 2 - k) % cone.size;
     cone.directions[k] = geometry_.VertexDirection(corners[at]);
     cone.edges[k] = EdgeId(p.first_corner.value() + static_cast<int>(edge));
-    cone.planes[k] = Cone::kNoPlane;
   }
   return cone;
 }
@@ -99,8 +90,8 @@ Cone ConeMaker<Geometry>::Whole(PieceId piece) {
 /// (positive) and corner q (negative) meets the cut.
 template <class Geometry>
 template <class MakeCrossing>
-Cone ConeMaker<Geometry>::Clip(PieceId piece, const CornerSigns& sides, int cut,
-                               const MakeCrossing& crossing) {
+Cone ConeMaker<Geometry>::Clip(PieceId piece, const CornerSigns& sides,
+                               ViewPlaneId cut, const MakeCrossing& crossing) {
   assert(std::ranges::count(sides, Sign::kPositive) > 0);
   assert(std::ranges::count(sides, Sign::kNegative) > 0);
   const Cone whole = Whole(piece);
@@ -111,7 +102,8 @@ Cone ConeMaker<Geometry>::Clip(PieceId piece, const CornerSigns& sides, int cut,
   };
   Cone part;
   part.piece = piece;
-  const auto add = [&part](int direction, int plane, EdgeId edge) {
+  const auto add = [&part](ViewDirectionId direction, ViewPlaneId plane,
+                           EdgeId edge) {
     part.directions[part.size] = direction;
     part.planes[part.size] = plane;
     part.edges[part.size] = edge;
@@ -123,7 +115,7 @@ Cone ConeMaker<Geometry>::Clip(PieceId piece, const CornerSigns& sides, int cut,
     const Sign there = sides[corner(next)];
     if (here == Sign::kPositive ||
         (here == Sign::kZero && there != Sign::kNegative)) {
-      add(whole.directions[k], Cone::kNoPlane, whole.edges[k]);
+      add(whole.directions[k], ViewPlaneId(), whole.edges[k]);
       if (there == Sign::kNegative) {
         add(crossing(corner(k), corner(next)), cut, kNoEdge);
       }
@@ -131,7 +123,7 @@ Cone ConeMaker<Geometry>::Clip(PieceId piece, const CornerSigns& sides, int cut,
       // The piece goes from front to back in this corner.
       add(whole.directions[k], cut, kNoEdge);
     } else if (there == Sign::kPositive) {
-      add(crossing(corner(next), corner(k)), Cone::kNoPlane, whole.edges[k]);
+      add(crossing(corner(next), corner(k)), ViewPlaneId(), whole.edges[k]);
     }
   }
   return part;
@@ -164,7 +156,7 @@ Cone ConeMaker<Geometry>::InFrontOf(TriangleId source, PieceId piece,
   const auto corners = pieces_.CornersOf(p);
   // c = sign(h_T) (h_T N_S - h_S N_T), method.md eq. (5): c . d > 0 where the
   // ray along d meets T in front of the plane of S.
-  const int cut = geometry_.AddPlane(
+  const ViewPlaneId cut = geometry_.AddPlane(
       PlaneRecipe::OfCut(source, p.triangle)
           .NegatedIf(ReceiverSide(piece) == Sign::kNegative));
   return Clip(piece, sides, cut, [&](std::size_t i, std::size_t j) {

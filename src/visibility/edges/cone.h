@@ -22,8 +22,8 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <vector>
 
+#include "base/id_vector.h"
 #include "base/ids.h"
 #include "base/stamped_table.h"
 #include "exact/cached_sign.h"
@@ -40,21 +40,22 @@ inline constexpr EdgeId kNoEdge;
 /// positive multiple of direction k x direction k + 1.
 struct Cone {
   static constexpr std::size_t kMaxEdges = ConvexPieces::kMaxCorners + 1;
-  static constexpr int kNoPlane = -1;
 
   PieceId piece;
   std::size_t size = 0;
-  std::array<int, kMaxEdges> directions{};
-  /// Those of scene edges are kNoPlane until ConeMaker::Complete.
-  std::array<int, kMaxEdges> planes{};
-  int bundle = kNoPlane;  ///< of the planes, in their order; likewise
+  std::array<ViewDirectionId, kMaxEdges> directions;
+  /// Those of scene edges are none until ConeMaker::Complete.
+  std::array<ViewPlaneId, kMaxEdges> planes;
+  BundleId bundle;  ///< of the planes, in their order; likewise
   std::array<EdgeId, kMaxEdges> edges;  ///< of ConvexPieces, or kNoEdge
 
   /// Direction where edge k begins.
-  [[nodiscard]] int From(std::size_t k) const { return directions[k]; }
+  [[nodiscard]] ViewDirectionId From(std::size_t k) const {
+    return directions[k];
+  }
 
   /// Direction where edge k ends.
-  [[nodiscard]] int To(std::size_t k) const {
+  [[nodiscard]] ViewDirectionId To(std::size_t k) const {
     return directions[k + 1 < size ? k + 1 : 0];
   }
 };
@@ -90,14 +91,14 @@ class ConeMaker {
 
   /// Makes a cone's planes and their bundle, if that has not been done.
   void Complete(Cone& cone) {
-    if (cone.bundle == Cone::kNoPlane) MakePlanes(cone);
+    if (!cone.bundle.valid()) MakePlanes(cone);
   }
 
   /// The plane of a scene edge, normal towards its piece.
-  int EdgePlane(EdgeId edge);
+  ViewPlaneId EdgePlane(EdgeId edge);
 
   /// Id of the plane n . d = 0.
-  [[nodiscard]] int horizon() const { return horizon_; }
+  [[nodiscard]] ViewPlaneId horizon() const { return horizon_; }
 
   /// Sign of n . d for the direction to a scene vertex, asked once.
   Sign HorizonSide(VertexId vertex);
@@ -106,15 +107,15 @@ class ConeMaker {
   void MakePlanes(Cone& cone);
 
   template <class MakeCrossing>
-  Cone Clip(PieceId piece, const CornerSigns& sides, int cut,
+  Cone Clip(PieceId piece, const CornerSigns& sides, ViewPlaneId cut,
             const MakeCrossing& crossing);
 
   Geometry& geometry_;
   const ConvexPieces& pieces_;
-  int horizon_ = -1;
+  ViewPlaneId horizon_;
   StampedTable<Sign, PieceId> receiver_sides_;
-  StampedTable<int, EdgeId> edge_planes_;
-  std::vector<CachedSign> horizon_side_;  ///< per direction id
+  StampedTable<ViewPlaneId, EdgeId> edge_planes_;
+  IdVector<ViewDirectionId, CachedSign> horizon_side_;
 };
 
 /// Whether all directions of `inner` lie in the closed `outer`, which is

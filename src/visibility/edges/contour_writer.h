@@ -7,8 +7,8 @@
 
 #include <span>
 #include <utility>
-#include <vector>
 
+#include "base/id_vector.h"
 #include "scene/scene_access.h"
 #include "visibility/contour.h"
 #include "visibility/edges/source_contour.h"
@@ -39,9 +39,8 @@ class ContourWriter {
 
   void WriteSource(FacetId facet, std::span<const ViewArc> arcs) {
     if (arcs.empty()) return;
-    plane_index_.resize(static_cast<std::size_t>(geometry_.plane_count()));
-    direction_index_.resize(
-        static_cast<std::size_t>(geometry_.direction_count()));
+    plane_index_.resize(geometry_.plane_count());
+    direction_index_.resize(geometry_.direction_count());
     contour_->sources.push_back(
         {facet, contour_->arcs.end_id(), static_cast<int>(arcs.size())});
     for (const ViewArc& arc : arcs)
@@ -74,14 +73,14 @@ class ContourWriter {
             .NegatedIf(position.from == Sign::kNegative));
   }
 
-  PlaneId PlaneIndex(int id) {
-    PlaneId& index = plane_index_[static_cast<std::size_t>(id)];
+  PlaneId PlaneIndex(ViewPlaneId id) {
+    PlaneId& index = plane_index_[id];
     if (!index.valid()) index = contour_->planes.push_back(geometry_.plane(id));
     return index;
   }
 
-  DirectionId DirectionIndex(int id) {
-    DirectionId& index = direction_index_[static_cast<std::size_t>(id)];
+  DirectionId DirectionIndex(ViewDirectionId id) {
+    DirectionId& index = direction_index_[id];
     if (!index.valid()) {
       index = contour_->directions.push_back(geometry_.direction(id));
     }
@@ -92,8 +91,8 @@ class ContourWriter {
   const ConvexPieces& pieces_;
   const Geometry& geometry_;
   Contour* contour_ = nullptr;
-  std::vector<PlaneId> plane_index_;          ///< per id of the geometry
-  std::vector<DirectionId> direction_index_;  ///< per id of the geometry
+  IdVector<ViewPlaneId, PlaneId> plane_index_;  ///< in contour_, or none
+  IdVector<ViewDirectionId, DirectionId> direction_index_;  ///< likewise
 };
 
 }  // namespace truelux

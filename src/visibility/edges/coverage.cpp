@@ -22,9 +22,9 @@ bool CoverOf(Geometry& geometry, const ViewEdge& edge, const Cone& cone,
     // The cone's plane is the edge's plane. The next direction of the cone
     // but one lies strictly inside plane k, and so on the cone's side.
     const auto k = static_cast<std::size_t>(std::countr_zero(not_inside));
-    const int inner = cone.directions[(k + 2) % cone.size];
+    const ViewDirectionId inner = cone.directions[(k + 2) % cone.size];
     cover.side = geometry.PlaneSide(edge.plane, inner).sign;
-    cover.coincident = static_cast<int>(k);
+    cover.coincident = k;
   }
   const auto crossing = [&](std::uint32_t bit) {
     const auto k = static_cast<std::size_t>(std::countr_zero(bit));

@@ -5,6 +5,8 @@
 #ifndef TRUELUX_VISIBILITY_EDGES_COVERAGE_H_
 #define TRUELUX_VISIBILITY_EDGES_COVERAGE_H_
 
+#include <cstddef>
+
 #include "exact/view_geometry.h"
 #include "visibility/edges/cone.h"
 
@@ -13,17 +15,17 @@ namespace truelux {
 /// An edge through the view: the arc from one direction to another, in a
 /// plane whose normal is a positive multiple of from x to.
 struct ViewEdge {
-  int plane = -1;
-  int from = -1;
-  int to = -1;
+  ViewPlaneId plane;
+  ViewDirectionId from;
+  ViewDirectionId to;
 };
 
 /// A position on a ViewEdge: a crossing strictly between its ends, or an end.
 using EdgePosition = Crossing;
 
-/// Stands for the plane of a position that is an end.
-inline constexpr int kFromEnd = -2;
-inline constexpr int kToEnd = -1;
+/// Stand for the plane of a position that is an end; neither is valid().
+inline constexpr ViewPlaneId kFromEnd(-2);
+inline constexpr ViewPlaneId kToEnd(-1);
 
 inline constexpr EdgePosition kEdgeFrom{kFromEnd, Sign::kZero, 0, 0};
 inline constexpr EdgePosition kEdgeTo{kToEnd, Sign::kZero, 1, 0};
@@ -36,7 +38,7 @@ struct Cover {
   /// cone's planes is the edge's plane, and the cone lies only on the side
   /// N . d > 0 (kPositive) or N . d < 0 (kNegative).
   Sign side = Sign::kZero;
-  int coincident = -1;  ///< if side is not kZero: which edge of the cone
+  std::size_t coincident = 0;  ///< if side is not kZero: which edge of the cone
 
   [[nodiscard]] bool Whole() const {
     return begin.plane == kFromEnd && end.plane == kToEnd;
@@ -47,7 +49,8 @@ struct Cover {
 template <class Geometry>
 Sign ComparePositions(Geometry& geometry, const ViewEdge& edge,
                       const EdgePosition& a, const EdgePosition& b) {
-  if (a.plane >= 0 && b.plane >= 0) return geometry.EdgeOrder(edge.plane, a, b);
+  if (a.plane.valid() && b.plane.valid())
+    return geometry.EdgeOrder(edge.plane, a, b);
   if (a.plane == b.plane) return Sign::kZero;
   const bool a_first = a.plane == kFromEnd || b.plane == kToEnd;
   return a_first ? Sign::kNegative : Sign::kPositive;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/ids.h"
 #include "base/stamped_table.h"
 #include "exact/plane_bundle.h"
 
@@ -22,38 +23,38 @@ class DirectionSides {
   explicit DirectionSides(Geometry& geometry) : geometry_(geometry) {}
 
   /// Chooses the bundle and forgets all sides, also those to this bundle.
-  void SetBundle(int bundle) {
+  void SetBundle(BundleId bundle) {
     bundle_ = bundle;
     by_direction_.Clear();
     used_ = 0;
   }
 
   /// The bundle that Of is about.
-  [[nodiscard]] int bundle() const { return bundle_; }
+  [[nodiscard]] BundleId bundle() const { return bundle_; }
 
   /// The complete sides of a direction to the planes of the bundle. The
   /// reference is valid until SetBundle, whatever is asked in between.
-  BundleSides& Of(int direction) {
+  BundleSides& Of(ViewDirectionId direction) {
     BundleSides* const* const found = by_direction_.Find(direction);
     return found != nullptr ? **found : MakeSides(direction);
   }
 
  private:
-  BundleSides& MakeSides(int direction) {
+  BundleSides& MakeSides(ViewDirectionId direction) {
     if (used_ == storage_.size()) {
       storage_.push_back(std::make_unique<BundleSides>());
     }
     BundleSides& sides = *storage_[used_++];
     geometry_.FilterSides(bundle_, direction, sides);
     geometry_.CompleteSides(bundle_, direction, sides);
-    by_direction_.Cover(static_cast<std::size_t>(geometry_.direction_count()));
+    by_direction_.Cover(geometry_.direction_count());
     by_direction_.Set(direction, &sides);
     return sides;
   }
 
   Geometry& geometry_;
-  int bundle_ = -1;
-  StampedTable<BundleSides*> by_direction_;
+  BundleId bundle_;
+  StampedTable<BundleSides*, ViewDirectionId> by_direction_;
   std::vector<std::unique_ptr<BundleSides>> storage_;  ///< these never move
   std::size_t used_ = 0;                               ///< of storage_
 };

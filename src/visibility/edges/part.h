@@ -6,18 +6,21 @@
 
 #include <array>
 
+#include "base/ids.h"
 #include "visibility/edges/cone.h"
 
 namespace truelux {
 
-/// What is seen of a piece of the source, or of a piece that hides some of it:
-/// a cone with, per edge, the id of the candidate edge it is; kNoCandidate for
-/// an edge that is left out.
-struct Part {
-  static constexpr int kNoCandidate = -1;
+/// Index of an edge that arcs may lie on, among those of one source; the first
+/// of several in one plane owns the arcs there.
+using CandidateId = Id<struct CandidateTag>;
 
+/// What is seen of a piece of the source, or of a piece that hides some of it:
+/// a cone with, per edge, the candidate edge it is; none for an edge that is
+/// left out.
+struct Part {
   Cone cone;
-  std::array<int, Cone::kMaxEdges> candidates{};
+  std::array<CandidateId, Cone::kMaxEdges> candidates;
 };
 
 }  // namespace truelux

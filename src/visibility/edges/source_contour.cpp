@@ -7,10 +7,6 @@
 namespace truelux {
 namespace {
 
-std::size_t Index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// With fewer blockers, looking for hidden ones costs more than it saves.
 constexpr std::size_t kManyBlockers = 32;
 
@@ -64,13 +60,15 @@ bool SourceContour<Geometry>::IsInner(EdgeId edge) {
 
 template <class Geometry>
 void SourceContour<Geometry>::NumberEdges(std::span<Part> parts,
-                                          bool are_blockers, int& next) {
+                                          bool are_blockers,
+                                          CandidateId& next) {
   for (Part& part : parts) {
     for (std::size_t k = 0; k < part.cone.size; ++k) {
       const EdgeId edge = part.cone.edges[k];
       const bool left_out =
           edge != kNoEdge && (are_blockers ? IsInner(edge) : IsDiagonal(edge));
-      part.candidates[k] = left_out ? Part::kNoCandidate : next++;
+      part.candidates[k] = left_out ? CandidateId() : next;
+      if (!left_out) ++next;
     }
   }
 }
@@ -78,7 +76,7 @@ void SourceContour<Geometry>::NumberEdges(std::span<Part> parts,
 /// Gives every edge its id, except those that are left out.
 template <class Geometry>
 void SourceContour<Geometry>::NumberCandidates() {
-  int next = 0;
+  CandidateId next(0);
   NumberEdges(source_.parts(), false, next);
   NumberEdges(blockers_.parts(), true, next);
 }
@@ -87,10 +85,11 @@ void SourceContour<Geometry>::NumberCandidates() {
 /// the arcs there instead of candidate `id`.
 template <class Geometry>
 bool SourceContour<Geometry>::IsOwnedBefore(const Part& part,
-                                            const Cover& cover, int id) {
+                                            const Cover& cover,
+                                            CandidateId id) {
   if (cover.side == Sign::kZero) return false;
-  const int owner = part.candidates[Index(cover.coincident)];
-  return owner != Part::kNoCandidate && owner < id;
+  const CandidateId owner = part.candidates[cover.coincident];
+  return owner.valid() && owner < id;
 }
 
 /// Adds the interval of a blocker's edge that lies in a cone of the source,
@@ -110,8 +109,7 @@ void SourceContour<Geometry>::StartEdge(std::size_t k, const Part& source) {
   if (cover.side != Sign::kZero) {
     // In the plane of a source's edge, that edge owns the arcs. On a diagonal
     // the cone on the other side of the blocker can be seen.
-    const bool is_diagonal =
-        source.candidates[Index(cover.coincident)] == Part::kNoCandidate;
+    const bool is_diagonal = !source.candidates[cover.coincident].valid();
     if (!is_diagonal || cover.side == Sign::kPositive) return;
   }
   ranges_[k].Start(cover.begin, cover.end);
@@ -127,8 +125,8 @@ void SourceContour<Geometry>::StartBlocker(const Owner& owner) {
     // The only cone of a source has been chosen for all blockers.
     if (boxes.size() > 1) source_sides_.SetBundle(source.cone.bundle);
     for (std::size_t k = 0; k < owner.part->cone.size; ++k) {
-      const bool is_near = owner.part->candidates[k] != Part::kNoCandidate &&
-                           boxes_[k].Meets(boxes[s]);
+      const bool is_near =
+          owner.part->candidates[k].valid() && boxes_[k].Meets(boxes[s]);
       if (is_near) StartEdge(k, source);
     }
   }
@@ -144,7 +142,7 @@ std::uint32_t SourceContour<Geometry>::StartEdges(const Owner& owner) {
     // Along its own edge a source holds the inner side, a blocker hides it.
     needs_positive_[k] = !owner.is_blocker;
     ranges_[k].Clear();
-    if (!owner.is_blocker && owner.part->candidates[k] != Part::kNoCandidate)
+    if (!owner.is_blocker && owner.part->candidates[k].valid())
       ranges_[k].Start(kEdgeFrom, kEdgeTo);
   }
   if (owner.is_blocker) StartBlocker(owner);

@@ -56,10 +56,11 @@ class SourceContour {
   };
 
   void NumberCandidates();
-  void NumberEdges(std::span<Part> parts, bool are_blockers, int& next);
+  void NumberEdges(std::span<Part> parts, bool are_blockers, CandidateId& next);
   [[nodiscard]] bool IsDiagonal(EdgeId edge) const;
   bool IsInner(EdgeId edge);
-  static bool IsOwnedBefore(const Part& part, const Cover& cover, int id);
+  static bool IsOwnedBefore(const Part& part, const Cover& cover,
+                            CandidateId id);
 
   void SweepPart(const Owner& owner);
   std::uint32_t StartEdges(const Owner& owner);

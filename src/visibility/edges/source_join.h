@@ -96,22 +96,23 @@ class SourceJoin {
            IsSame(a.edge, a.piece.end, b.edge, b.piece.begin);
   }
 
-  [[nodiscard]] bool IsReversed(int plane, int other) const {
+  [[nodiscard]] bool IsReversed(ViewPlaneId plane, ViewPlaneId other) const {
     return geometry_.plane(plane).IsReverseOf(geometry_.plane(other));
   }
 
   [[nodiscard]] bool IsSame(const ViewEdge& edge_a, const EdgePosition& a,
                             const ViewEdge& edge_b,
                             const EdgePosition& b) const {
-    if (a.plane >= 0 && b.plane >= 0) {
+    if (a.plane.valid() && b.plane.valid()) {
       return geometry_.SameEdge(a.plane, b.plane);
     }
-    if (a.plane >= 0 || b.plane >= 0) return false;
+    if (a.plane.valid() || b.plane.valid()) return false;
     return geometry_.direction(End(edge_a, a)) ==
            geometry_.direction(End(edge_b, b));
   }
 
-  static int End(const ViewEdge& edge, const EdgePosition& position) {
+  static ViewDirectionId End(const ViewEdge& edge,
+                             const EdgePosition& position) {
     return position.plane == kFromEnd ? edge.from : edge.to;
   }
 

@@ -11,8 +11,8 @@ void SourcePlane<Geometry>::Start(TriangleId triangle) {
 }
 
 template <class Geometry>
-auto SourcePlane<Geometry>::MakeEntry(int direction) -> Entry& {
-  entries_.Cover(static_cast<std::size_t>(geometry_.direction_count()));
+auto SourcePlane<Geometry>::MakeEntry(ViewDirectionId direction) -> Entry& {
+  entries_.Cover(geometry_.direction_count());
   Entry& entry = entries_.Renew(direction);
   entry.box = chart_.Of(geometry_.DirectionFilter(direction), entry.misses);
   entry.side = CachedSign();
@@ -45,7 +45,8 @@ ImageBox SourcePlane<Geometry>::BoxOf(const Cone& cone) {
 }
 
 template <class Geometry>
-ImageBox SourcePlane<Geometry>::BoxOfEdge(int from, int to) {
+ImageBox SourcePlane<Geometry>::BoxOfEdge(ViewDirectionId from,
+                                          ViewDirectionId to) {
   ImageBox box = EntryOf(from).box;
   box.Include(EntryOf(to).box);
   return box;

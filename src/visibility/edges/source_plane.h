@@ -39,7 +39,7 @@ class SourcePlane {
   ImageBox BoxOf(const Cone& cone);
 
   /// A box that contains the image of an edge between two directions.
-  ImageBox BoxOfEdge(int from, int to);
+  ImageBox BoxOfEdge(ViewDirectionId from, ViewDirectionId to);
 
   /// Notes that a vertex is known, without arithmetic, to lie in the plane.
   void MarkInPlane(VertexId vertex) {
@@ -62,17 +62,17 @@ class SourcePlane {
   };
 
   /// Valid until EntryOf another direction: stays inside this class.
-  Entry& EntryOf(int direction) {
+  Entry& EntryOf(ViewDirectionId direction) {
     Entry* const entry = entries_.Find(direction);
     return entry != nullptr ? *entry : MakeEntry(direction);
   }
 
-  Entry& MakeEntry(int direction);
+  Entry& MakeEntry(ViewDirectionId direction);
 
   Geometry& geometry_;
   TriangleId triangle_;
   ImageChart chart_;
-  StampedTable<Entry> entries_;  ///< per direction id
+  StampedTable<Entry, ViewDirectionId> entries_;
 };
 
 extern template class SourcePlane<ViewGeometry>;

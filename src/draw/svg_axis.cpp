@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
@@ -17,6 +18,7 @@ void DecadeAxis::Cover(double value) {
 }
 
 double DecadeAxis::At(double value) const {
+  assert(low < high);
   return (std::log10(value) - low) / (high - low);
 }
 

@@ -13,6 +13,7 @@
 #ifndef TRUELUX_EXACT_DOUBLE_DOUBLE_H_
 #define TRUELUX_EXACT_DOUBLE_DOUBLE_H_
 
+#include <cassert>
 #include <cmath>
 
 namespace truelux {
@@ -85,10 +86,18 @@ inline DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
   return FastTwoSum(product.high, product.low + cross);
 }
 
+/// Whether 2^-900 <= |x| <= 2^900, where the errors of quotients and roots are
+/// proven.
+inline bool IsWithinBounds(const DoubleDouble& x) {
+  const double size = std::fabs(x.high);
+  return 0x1p-900 <= size && size <= 0x1p900;
+}
+
 /// Error <= 11 u^2 (relative; [JMP] Algorithm 17 with the last correction in
 /// one step; docs/errors.md section 3). Requires 2^-900 <= |y| <= 2^900.
 /// Underflow costs at most 2^-1070 / |y| besides.
 inline DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
+  assert(IsWithinBounds(y));
   const double quotient = x.high / y.high;
   const double rest =
       std::fma(-quotient, y.high, x.high) + std::fma(-quotient, y.low, x.low);
@@ -98,6 +107,7 @@ inline DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
 /// The square root. Error <= 4.2 u^2 (relative; docs/errors.md section 3).
 /// Requires 2^-900 <= x <= 2^900.
 inline DoubleDouble Sqrt(const DoubleDouble& x) {
+  assert(IsWithinBounds(x) && x.high > 0);
   const double root = std::sqrt(x.high);
   const double rest = x.low + std::fma(-root, root, x.high);
   return FastTwoSum(root, rest / (2 * root));

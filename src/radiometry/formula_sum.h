@@ -5,6 +5,7 @@
 #define TRUELUX_RADIOMETRY_FORMULA_SUM_H_
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -26,6 +27,7 @@ std::optional<Rgb> SumByFormula(const FormulaEvaluation<T>& formulas,
   for (std::size_t i = 0; i < formulas.lit().size(); ++i) {
     const PartialSum<T> sum = formulas.Evaluate(formula, i);
     if (!sum.applicable) return std::nullopt;
+    assert(formulas.lit()[i].index() < weights.size());
     const Rgb& weight = weights[formulas.lit()[i].index()];
     for (std::size_t channel = 0; channel < 3; ++channel)
       value[channel] = value[channel] + Make<T>(weight[channel]) * sum.value;

@@ -2,6 +2,7 @@
 #include "study/comparison_summary.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -38,6 +39,8 @@ std::size_t DecadeOf(double relative_error) {
 
 MethodSummary Summarize(const Comparison& comparison,
                         const MethodResult& method) {
+  assert(method.values.size() == comparison.receivers.size());
+  assert(comparison.truth.size() == comparison.receivers.size());
   MethodSummary summary;
   std::vector<double> errors;
   for (std::size_t i = 0; i < comparison.receivers.size(); ++i) {

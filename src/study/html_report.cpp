@@ -2,6 +2,7 @@
 #include "study/html_report.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <fmt/format.h>
 
@@ -196,6 +197,7 @@ counted.</dd>
 }  // namespace
 
 std::string HtmlReport(const Comparison& comparison) {
+  assert(comparison.reasons.size() == comparison.receivers.size());
   const ReportView view(comparison);
   std::string html = fmt::format(
       "<!DOCTYPE html>\n"

@@ -2,6 +2,7 @@
 #include "visibility/arrangement/arrangement_chart.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -78,6 +79,8 @@ ViewChart::ViewChart(const Vec3<Exact>& receiver_normal,
 
 std::vector<WorldPoint> ViewChart::Clip(
     const std::array<Vec3<Exact>, 3>& triangle) const {
+  assert(SignOf(Determinant(triangle[0], triangle[1], triangle[2])) !=
+         Sign::kZero);
   std::vector<WorldPoint> polygon;
   for (const Vec3<Exact>& corner : triangle) {
     polygon.push_back({corner, Exact(1)});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "visibility/arrangement/arrangement_depth.h"
 
+#include <cassert>
+
 namespace truelux {
 namespace {
 
@@ -18,6 +20,7 @@ ImagePlane PlaneOf(const ImageTriangle& triangle) {
       -Determinant<Exact>({a.x, a.z, a.w}, {b.x, b.z, b.w}, {c.x, c.z, c.w}),
       Determinant<Exact>({a.x, a.y, a.w}, {b.x, b.y, b.w}, {c.x, c.y, c.w}),
       -Determinant<Exact>({a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z})};
+  assert(SignOf(plane.z) != Sign::kZero);
   if (SignOf(plane.z) == Sign::kNegative) {
     plane = {-plane.x, -plane.y, -plane.z, -plane.w};
   }

@@ -41,7 +41,7 @@ Sample RandomCrossing(PortableRandom& random, int range) {
   const Side from = side(sign, sample.from);
   const Side to = side(-sign, sample.to);
   const RoundUpward rounding;
-  sample.crossing = MakeCrossing(7, from, to);
+  sample.crossing = MakeCrossing(ViewPlaneId(7), from, to);
   return sample;
 }
 
@@ -94,11 +94,13 @@ TEST(Crossing, WithoutABoundNothingIsKnown) {
   const Side sure{Sign::kNegative, {-1, 1e-16}};
   const Side infinite{Sign::kPositive, {HUGE_VAL, HUGE_VAL}};
   const Side none{Sign::kPositive, {0, 0}};
-  const Crossing good = MakeCrossing(1, {Sign::kPositive, {1e9, 1e-7}}, sure);
+  const Crossing good =
+      MakeCrossing(ViewPlaneId(1), {Sign::kPositive, {1e9, 1e-7}}, sure);
   ASSERT_TRUE(std::isfinite(good.error));
   for (const Crossing& c :
-       {MakeCrossing(0, vague, sure), MakeCrossing(0, infinite, sure),
-        MakeCrossing(0, none, {Sign::kNegative, {0, 0}})}) {
+       {MakeCrossing(ViewPlaneId(0), vague, sure),
+        MakeCrossing(ViewPlaneId(0), infinite, sure),
+        MakeCrossing(ViewPlaneId(0), none, {Sign::kNegative, {0, 0}})}) {
     EXPECT_FALSE(TryOrder(c, good).has_value());
     EXPECT_FALSE(TryOrder(good, c).has_value());
     EXPECT_FALSE(TryOrder(c, c).has_value());

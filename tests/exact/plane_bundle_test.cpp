@@ -36,7 +36,7 @@ TEST(PlaneBundle, AgreesWithEveryPlane) {
     const int size = random.Integer(1, 8);
     for (int k = 0; k < size; ++k) {
       planes.push_back(MakeFilteredPlane(vector()));
-      bundle.Add(planes.back(), 100 + k);
+      bundle.Add(planes.back(), ViewPlaneId(100 + k));
     }
     const FilteredDirection d = MakeFilteredDirection(vector());
     BundleSides sides;
@@ -47,7 +47,7 @@ TEST(PlaneBundle, AgreesWithEveryPlane) {
     for (std::size_t k = 0; k < planes.size(); ++k) {
       const BoundedValue value = FilteredDot(planes[k], d);
       const Side side = sides.SideOf(k);
-      EXPECT_EQ(bundle.id(k), 100 + static_cast<int>(k));
+      EXPECT_EQ(bundle.id(k), ViewPlaneId(100 + static_cast<int>(k)));
       EXPECT_EQ(side.value.value, value.value);
       EXPECT_EQ(side.value.error, value.error);
       EXPECT_EQ(side.sign, TrySign(value).value_or(Sign::kZero));
@@ -61,9 +61,9 @@ TEST(PlaneBundle, AgreesWithEveryPlane) {
 TEST(PlaneBundle, NaNAndOverflowDecideNothing) {
   const RoundUpward rounding;
   PlaneBundle bundle;
-  bundle.Add(MakeFilteredPlane({0x1p600, 0, 0, 0}), 0);
-  bundle.Add(MakeFilteredPlane({HUGE_VAL, 0, 0, 0}), 1);
-  bundle.Add(MakeFilteredPlane({1, 0, 0, HUGE_VAL}), 2);
+  bundle.Add(MakeFilteredPlane({0x1p600, 0, 0, 0}), ViewPlaneId(0));
+  bundle.Add(MakeFilteredPlane({HUGE_VAL, 0, 0, 0}), ViewPlaneId(1));
+  bundle.Add(MakeFilteredPlane({1, 0, 0, HUGE_VAL}), ViewPlaneId(2));
   BundleSides sides;
   bundle.Filter<true>(MakeFilteredDirection({-0x1p600, 0, 0, 0}), sides);
   EXPECT_EQ(sides.positive, 0U);

@@ -91,7 +91,7 @@ class TRUELUX_EXPORT Scene {
 class TRUELUX_EXPORT SceneBuilder {
  public:
   /// `file_name` prefixes the diagnostics.
-  explicit SceneBuilder(std::string file_name = "");
+  explicit SceneBuilder(const std::string& file_name = "");
   ~SceneBuilder();
   SceneBuilder(SceneBuilder&&) noexcept;
   SceneBuilder& operator=(SceneBuilder&&) noexcept;

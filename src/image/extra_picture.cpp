@@ -28,12 +28,12 @@ std::string ErrorPicture(const RenderedPixels& pixels,
   for (const double value : values.pixels()) {
     if (value > 0) least = std::min(least, value);
   }
-  const Rgba8 kAgreed = {150, 150, 150, 255};
+  const Rgba8 agreed = {150, 150, 150, 255};
   const ColourScale scale = most > 0 ? ColourScale::Logarithmic(least, most)
                                      : ColourScale::Logarithmic(1, 1);
   Raster<Rgba8> picture = Coloured(values, scale);
   for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
-    if (values.pixels()[i] == 0) picture.pixels()[i] = kAgreed;
+    if (values.pixels()[i] == 0) picture.pixels()[i] = agreed;
   }
   ImageLegend legend = {
       {"|double - certified|", channel ? Name(*channel) : "largest channel",

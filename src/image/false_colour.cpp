@@ -67,7 +67,8 @@ ColourScale ColourScale::Logarithmic(double least, double most) {
   scale.high_ = std::ceil(std::log10(most));
   scale.low_ = std::max(std::floor(std::log10(least)), scale.high_ - kDecades);
   if (scale.low_ == scale.high_) scale.low_ -= 1;
-  for (double power = scale.low_; power <= scale.high_; power += 1)
+  const auto last = static_cast<int>(scale.high_);
+  for (auto power = static_cast<int>(scale.low_); power <= last; ++power)
     scale.ticks_.push_back(std::pow(10.0, power));
   return scale;
 }

@@ -19,6 +19,7 @@ namespace {
 /// A side of the square tiles that are handed to the oracle: a whole tile is
 /// one block of receivers.
 constexpr int kTile = kReceiverBlockSide;
+constexpr std::size_t kTilePixels = std::size_t{kTile} * kTile;
 
 /// The pixels of one tile that have receivers.
 struct Tile {
@@ -83,8 +84,8 @@ class Renderer {
  private:
   [[nodiscard]] Tile MakeTile(int left, int top) {
     Tile tile;
-    tile.pixels.reserve(kTile * kTile);
-    tile.receivers.reserve(kTile * kTile);
+    tile.pixels.reserve(kTilePixels);
+    tile.receivers.reserve(kTilePixels);
     const int right = std::min(left + kTile, receivers_.width());
     const int bottom = std::min(top + kTile, receivers_.height());
     for (int y = top; y < bottom; ++y) {

@@ -142,7 +142,8 @@ std::optional<SurfaceFrame> SurfaceFrameOf(const Scene& scene,
   const Face& f = scene.faces()[static_cast<std::size_t>(first)];
   const auto corner = [&](int k) {
     const int vertex =
-        scene.corners()[static_cast<std::size_t>(f.first_corner + k)];
+        scene.corners()[static_cast<std::size_t>(f.first_corner) +
+                        static_cast<std::size_t>(k)];
     return RationalOf(scene.vertices()[static_cast<std::size_t>(vertex)]);
   };
   frame.origin = corner(0);

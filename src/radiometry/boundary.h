@@ -34,10 +34,11 @@ template <class T>
 struct BoundaryArc {
   BoundaryVertexId from;
   BoundaryVertexId to;
-  Vec3<T> chord;   ///< to - from
-  Vec3<T> edge;    ///< along the arc's line in space, in the sense of travel
-  Vec3<T> normal;  ///< of its plane, outwards, any length: a positive multiple
-                   ///< of from x to; (0, 0, z) if on_horizon, z's sign certain
+  Vec3<T> chord{};  ///< to - from
+  Vec3<T> edge{};   ///< along the arc's line in space, in the sense of travel
+  Vec3<T>
+      normal{};  ///< of its plane, outwards, any length: a positive multiple
+                 ///< of from x to; (0, 0, z) if on_horizon, z's sign certain
   bool on_horizon = false;  ///< lies in the receiver plane
 };
 

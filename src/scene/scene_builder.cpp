@@ -25,7 +25,7 @@ struct SceneBuilder::Impl {
   int group = 0;
 };
 
-SceneBuilder::SceneBuilder(std::string file_name)
+SceneBuilder::SceneBuilder(const std::string& file_name)
     : impl_(std::make_unique<Impl>(file_name)) {}
 
 SceneBuilder::~SceneBuilder() = default;

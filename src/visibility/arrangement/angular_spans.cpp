@@ -36,18 +36,18 @@ class SpanReader {
   }
 
  private:
-  bool IsSource(FacetId facet) const {
+  [[nodiscard]] bool IsSource(FacetId facet) const {
     return facet.valid() && facets_[facet].is_source;
   }
 
   /// What is seen on the left of an edge, in the chart, when leaving a vertex.
-  FacetId FacetLeftOf(MapVertexId vertex, MapEdgeId edge) const {
+  [[nodiscard]] FacetId FacetLeftOf(MapVertexId vertex, MapEdgeId edge) const {
     const MapEdge& e = map_.edges[edge];
     return e.from == vertex ? e.left : e.right;
   }
 
   /// The span that begins at an edge.
-  AngularSpan SpanAt(MapVertexId vertex, MapEdgeId edge) const {
+  [[nodiscard]] AngularSpan SpanAt(MapVertexId vertex, MapEdgeId edge) const {
     const MapEdge& e = map_.edges[edge];
     const Vec3<Exact>& v = directions_[vertex];
     const Vec3<Exact>& w = directions_[e.from == vertex ? e.to : e.from];

@@ -82,6 +82,7 @@ std::vector<WorldPoint> ViewChart::Clip(
   assert(SignOf(Determinant(triangle[0], triangle[1], triangle[2])) !=
          Sign::kZero);
   std::vector<WorldPoint> polygon;
+  polygon.reserve(triangle.size());
   for (const Vec3<Exact>& corner : triangle) {
     polygon.push_back({corner, Exact(1)});
   }

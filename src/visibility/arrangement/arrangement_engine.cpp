@@ -47,7 +47,7 @@ class ContourBuilder {
   }
 
  private:
-  bool IsSource(FacetId facet) const {
+  [[nodiscard]] bool IsSource(FacetId facet) const {
     return facet.valid() && views_[facet].is_source;
   }
 
@@ -66,7 +66,7 @@ class ContourBuilder {
         DirectionRecipe::Explicit(AddExplicit(std::move(direction))));
   }
 
-  const Vec3<Exact>& Direction(DirectionId id) const {
+  [[nodiscard]] const Vec3<Exact>& Direction(DirectionId id) const {
     return contour_.explicit_vectors[contour_.directions[id].explicit_vector()];
   }
 
@@ -87,7 +87,7 @@ class ContourBuilder {
     }
   }
 
-  FaceNumber NumberOfFaceOf(FacetId facet) const {
+  [[nodiscard]] FaceNumber NumberOfFaceOf(FacetId facet) const {
     return NumberOf(FaceOf(query_.scene, facet));
   }
 
@@ -95,8 +95,8 @@ class ContourBuilder {
   /// the nearer of the two, because it ends there. Where both are equally near
   /// all along, the neighbour enters the source's plane; if they are coplanar,
   /// the one in front ends there.
-  FaceNumber EdgeFace(FacetId source, FacetId neighbour, DirectionId from,
-                      DirectionId to) const {
+  [[nodiscard]] FaceNumber EdgeFace(FacetId source, FacetId neighbour,
+                                    DirectionId from, DirectionId to) const {
     if (!neighbour.valid()) return NumberOfFaceOf(source);
     const FacetView& own = views_[source];
     const FacetView& other = views_[neighbour];

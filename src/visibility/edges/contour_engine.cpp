@@ -123,7 +123,7 @@ class BasicContourBuilder<kKind>::Impl {
   /// the next one begin.
   struct SourceEnd {
     FacetId facet;
-    std::size_t end;
+    std::size_t end = 0;
   };
 
   /// False if nothing of the facet can be seen.

@@ -58,7 +58,7 @@ class SourceJoin {
   /// An arc on a shared edge.
   struct Open {
     EdgeId edge;  ///< the same for all edges between the same vertices
-    std::size_t arc;
+    std::size_t arc = 0;
   };
 
   [[nodiscard]] const Rgb& EmissionAt(EdgeId edge) const {

@@ -100,7 +100,7 @@ class Gluing {
     return entry->second;
   }
 
-  const Vec3<Exact>& Direction(GluedVertexId vertex) const {
+  [[nodiscard]] const Vec3<Exact>& Direction(GluedVertexId vertex) const {
     return view_.vertices[vertex].direction;
   }
 
@@ -144,7 +144,8 @@ class Gluing {
     }
   }
 
-  bool IsBefore(const Cut& cut, GluedVertexId a, GluedVertexId b) const {
+  [[nodiscard]] bool IsBefore(const Cut& cut, GluedVertexId a,
+                              GluedVertexId b) const {
     return SignOf(Dot(Cross(Direction(a), Direction(b)), cut.normal)) ==
            Sign::kPositive;
   }
@@ -175,7 +176,7 @@ class Gluing {
   }
 
   /// Whether two facets are of one face, or none, or both outside.
-  bool AreOfOneFace(FacetId a, FacetId b) const {
+  [[nodiscard]] bool AreOfOneFace(FacetId a, FacetId b) const {
     if (!a.valid() || !b.valid()) return a == b;
     return FaceOf(query_.scene, a) == FaceOf(query_.scene, b);
   }

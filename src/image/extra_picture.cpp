@@ -39,7 +39,7 @@ std::string ErrorPicture(const RenderedPixels& pixels,
       {"|double - certified|", channel ? Name(*channel) : "largest channel",
        "[W/m^2]", fmt::format("max {:.2g}", most)},
       scale,
-      {{kAgreed, "no difference"}}};
+      {{agreed, "no difference"}}};
   if (most == 0) legend.scale.reset();
   return PngImage(WithLegend(picture, legend));
 }

@@ -247,16 +247,17 @@ TEST(Regimes, FarFromTheOrigin) {
   for (const std::string offset : {"0", "1e3", "1e6", "1e9"}) {
     for (const std::string size : {"1", "1e-3"}) {
       double farthest = 0;
-      ForCasesOf("far " + offset + " size " + size,
-                 [&](const RegimeCase& made, const auto& loop) {
-                   EXPECT_GT(Diameter(loop), 0.6 * std::stod(size));
-                   EXPECT_LT(Diameter(loop), 1.05 * std::stod(size));
-                   const Point3& r = made.receiver.position;
-                   for (const double x : {r.x, r.y, r.z})
-                     farthest = std::max(farthest, std::abs(x));
-                   const Vector3& n = made.receiver.normal;
-                   EXPECT_NEAR(n.x * n.x + n.y * n.y + n.z * n.z, 1, 1e-15);
-                 });
+      ForCasesOf(
+          std::string("far ").append(offset).append(" size ").append(size),
+          [&](const RegimeCase& made, const auto& loop) {
+            EXPECT_GT(Diameter(loop), 0.6 * std::stod(size));
+            EXPECT_LT(Diameter(loop), 1.05 * std::stod(size));
+            const Point3& r = made.receiver.position;
+            for (const double x : {r.x, r.y, r.z})
+              farthest = std::max(farthest, std::abs(x));
+            const Vector3& n = made.receiver.normal;
+            EXPECT_NEAR(n.x * n.x + n.y * n.y + n.z * n.z, 1, 1e-15);
+          });
       EXPECT_GT(farthest, 0.9 * std::stod(offset));
       EXPECT_LT(farthest, std::stod(offset) + 1);
     }

@@ -27,6 +27,7 @@ inline RealVec SeenFrom(const Receiver& r, const Point3& p) {
 inline std::vector<RealVec> SeenFrom(const Receiver& r,
                                      const std::vector<Point3>& loop) {
   std::vector<RealVec> seen;
+  seen.reserve(loop.size());
   for (const Point3& p : loop)
     seen.push_back(SeenFrom(r, p));
   return seen;

@@ -225,7 +225,7 @@ TEST_F(Render, ViewsThatDoNotExist) {
 
 TEST_F(Render, OptionsThatDoNotFit) {
   const std::vector<std::string> floor = {"--surface", "floor"};
-  const auto with = [&](std::vector<std::string> more) {
+  const auto with = [&](const std::vector<std::string>& more) {
     return With(floor, more);
   };
   ExpectRefused(with({"-o", Path("a.jpg")}), "ends with neither .exr nor .png");

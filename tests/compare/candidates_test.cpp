@@ -122,8 +122,8 @@ TEST(Candidates, EveryDefectOfARowIsReportedAndTheNextIsRead) {
   EXPECT_EQ(t.defects,
             (Texts{"t.csv:2: error: x: 'a' " + expected,
                    "t.csv:2: error: the normal is zero",
-                   "t.csv:2: error: on_face: '9' is out of range; the scene "
-                   "has 3 faces",
+                   std::string("t.csv:2: error: on_face: '9' is out of range; "
+                               "the scene has 3 faces"),
                    "t.csv:2: error: E: 'bright' " + expected + ", inf or nan",
                    "t.csv:3: error: E: '' " + expected + ", inf or nan",
                    "t.csv:4: error: E: '1e999' " + expected + ", inf or nan",

@@ -53,7 +53,7 @@ Diagnosis Of(const Stage& stage, const CandidateData& data,
                   {Quantity::kIrradiance, options.emission}, evaluate);
 }
 
-Diagnosis OfProgram(const Stage& stage, Program program,
+Diagnosis OfProgram(const Stage& stage, const Program& program,
                     const OracleOptions& options = {},
                     double tolerance = 1e-6) {
   CandidateData data = Candidate(stage, options);
@@ -328,8 +328,10 @@ TEST(Diagnosis, SaysHowManyOfManyGroupsItTried) {
   builder.AddFace(Ceiling(-1, 1, -1, 1, 2.5), {2, 2, 2});
   for (int i = 0; i < 80; ++i) {
     builder.SetGroup("tile" + std::to_string(i));
-    builder.AddFace(Ceiling(-1 + 0.1 * (i % 10), -0.95 + 0.1 * (i % 10),
-                            -1 + 0.1 * (i / 10), -0.95 + 0.1 * (i / 10), 1));
+    const int row = i / 10;
+    const int column = i % 10;
+    builder.AddFace(Ceiling(-1 + 0.1 * column, -0.95 + 0.1 * column,
+                            -1 + 0.1 * row, -0.95 + 0.1 * row, 1));
   }
   const Stage stage{*builder.Build().value, TiltedReceivers()};
   const OracleOptions options;

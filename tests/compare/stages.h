@@ -49,6 +49,7 @@ inline Ring Mirrored(const Ring& ring) {
 
 inline std::vector<Receiver> TiltedReceivers() {
   std::vector<Receiver> receivers;
+  receivers.reserve(150);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int i = 0; i < 150; ++i) {

@@ -171,7 +171,8 @@ class MonteCarlo {
     return sum / samples_;
   }
 
-  bool Blocked(const Vec& r, const Vec& to, std::size_t target) const {
+  [[nodiscard]] bool Blocked(const Vec& r, const Vec& to,
+                             std::size_t target) const {
     if (wrong_.has_no_shadows) return false;
     for (std::size_t p = 0; p < polygons_.size(); ++p) {
       if (p != target && Hits(r, to, polygons_[p].ring)) return true;

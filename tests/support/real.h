@@ -97,7 +97,7 @@ class BasicReal {
   }
 
  private:
-  mpfr_t number_;
+  mpfr_t number_{};
 };
 
 using Real = BasicReal<1400>;      ///< 421 digits

@@ -117,8 +117,7 @@ class PlainEngine {
       }
       const bool is_owner =
           cover.side != Sign::kZero &&
-          (before || (&cone == &own &&
-                      static_cast<std::size_t>(cover.coincident) < edge));
+          (before || (&cone == &own && cover.coincident < edge));
       if (is_owner) sweep_.AddOwner(cover);
     };
     bool before = true;

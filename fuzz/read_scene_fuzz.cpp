@@ -59,9 +59,20 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     file.text = path == "fuzz.obj" ? obj : mtl;
     return file;
   };
-  const truelux::Result<truelux::Scene> scene =
-      truelux::ReadSceneWith(open, "fuzz.obj");
-  Require(scene.ok() || !scene.diagnostics.empty());
-  if (scene.ok()) CheckScene(*scene.value);
+  const auto list = [](const std::filesystem::path& /*folder*/) {
+    return std::vector<std::string>();
+  };
+  truelux::ReadOptions options;
+  const truelux::Result<truelux::Scene> strict =
+      truelux::ReadSceneWith({open, list}, "fuzz.obj", options);
+  Require(strict.ok() || !strict.diagnostics.empty());
+  if (strict.ok()) CheckScene(*strict.value);
+  options.lenient = true;
+  options.two_sided = true;
+  options.opaque_from = 0.5;
+  const truelux::Result<truelux::Scene> lenient =
+      truelux::ReadSceneWith({open, list}, "fuzz.obj", options);
+  Require(lenient.ok() || !strict.ok());
+  if (lenient.ok()) CheckScene(*lenient.value);
   return 0;
 }

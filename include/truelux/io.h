@@ -14,12 +14,25 @@
 
 namespace truelux {
 
+/// How a scene file is read.
+struct ReadOptions {
+  /// Faces that are errors are left out, and faces whose material no file
+  /// defines only block; notes count both. Else these are errors.
+  bool lenient = false;
+  /// Faces that do not emit and whose material has an opacity d (or 1 - Tr)
+  /// below this are left out, with a note. Else all faces are opaque.
+  std::optional<double> opaque_from;
+  /// Faces that emit do so to both sides.
+  bool two_sided = false;
+};
+
 /// Reads a Wavefront OBJ and the MTL files that it names
 /// (docs/scene_format.md). Faces keep the order of their f lines. A file that
 /// is missing or malformed is an error among the diagnostics, not an exception.
-/// All defects are reported together, up to 100.
+/// What truelux does not use never is. All defects are reported together, up to
+/// 100.
 [[nodiscard]] TRUELUX_EXPORT Result<Scene> ReadScene(
-    const std::filesystem::path& obj);
+    const std::filesystem::path& obj, const ReadOptions& options = {});
 
 /// The binary64 nearest to a decimal number, ties to even; nothing if the text
 /// is not a number. ReadScene reads every number this way.

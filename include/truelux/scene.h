@@ -18,15 +18,19 @@
 namespace truelux {
 
 /// A polygon of the input, in input order. It emits from its front, the side
-/// from which its corners run counter-clockwise, and blocks from both sides.
+/// from which its corners run counter-clockwise (if asked for, from both), and
+/// blocks from both sides.
 ///
 /// Its *number* is its index in Scene::faces() plus 1, as f lines are counted:
 /// numbers are what receivers, contours and form factors name a face by, 0 is
 /// no face. Everything in this header that is called an index counts from 0. A
 /// face without area keeps its number but has no facets.
 struct Face {
-  Rgb emission{};        ///< M [W/m^2] or L [W/m^2/sr], as the oracle's
-                         ///< Emission says; (0, 0, 0): the face only blocks
+  Rgb emission{};           ///< M [W/m^2] or L [W/m^2/sr], as the oracle's
+                            ///< Emission says; (0, 0, 0): the face only blocks
+  bool is_emitter = false;  ///< whether the scene's input has it emit, also
+                            ///< where a variant of the scene does not: such
+                            ///< faces go before others in their plane
   int line = 0;          ///< line of its f statement, from 1; 0: made in code
   int first_facet = 0;   ///< index into Scene::facets(); its facets are
                          ///< first_facet ..
@@ -38,9 +42,11 @@ struct Face {
 };
 
 /// An exactly planar part of a face: the face itself, or one triangle of a
-/// face that is not planar. A facet is one source and one blocker.
+/// face that is not planar. A facet is one source and one blocker. A face that
+/// emits to both sides has each of them twice: the second is its back.
 struct Facet {
   int face = 0;            ///< index into Scene::faces()
+  bool is_back = false;    ///< whether it is turned to the back of the face
   int first_triangle = 0;  ///< index into Scene::triangles(); its triangles
                            ///< are first_triangle ..
   int triangle_count = 0;  ///< .. first_triangle + triangle_count - 1
@@ -51,6 +57,13 @@ struct Facet {
 struct Triangle {
   std::array<int, 3> vertices{};  ///< indices into Scene::vertices()
   int facet = 0;                  ///< index into Scene::facets()
+};
+
+/// Faces that a scene is without: they keep their numbers, but neither emit nor
+/// block.
+struct TRUELUX_EXPORT LeftOutFaces {
+  std::string reason;        ///< why, e.g. "a vertex that does not exist"
+  std::vector<int> numbers;  ///< of the faces, from 1; ascending
 };
 
 /// Immutable; copies share the data. Equal points are one vertex, so that two
@@ -73,6 +86,8 @@ class TRUELUX_EXPORT Scene {
   [[nodiscard]] std::span<const int> corners() const;
   /// Names of objects and groups as "object/group"; entry 0 is "".
   [[nodiscard]] std::span<const std::string> group_names() const;
+  /// The faces that were left out on request, reason by reason.
+  [[nodiscard]] std::span<const LeftOutFaces> left_out() const;
 
  private:
   friend class SceneBuilder;
@@ -96,22 +111,33 @@ class TRUELUX_EXPORT SceneBuilder {
   SceneBuilder(SceneBuilder&&) noexcept;
   SceneBuilder& operator=(SceneBuilder&&) noexcept;
 
-  /// Adds a polygon. ring: its n >= 3 corners in the scene's frame,
-  /// counter-clockwise seen from the side that emits; the first corner is not
-  /// repeated at the end. emission: M [W/m^2], or L [W/m^2/sr] if the oracle
+  /// Adds a polygon. ring: its corners in the scene's frame,
+  /// counter-clockwise seen from the side that emits; the first corner need not
+  /// be repeated at the end. emission: M [W/m^2], or L [W/m^2/sr] if the oracle
   /// reads radiance; finite and >= 0. line: for diagnostics, from 1; 0: none.
   /// Returns the face's number, counted from 1. Defects are reported by
   /// Build(), not here.
   int AddFace(std::vector<Point3> ring, const Rgb& emission = {}, int line = 0);
 
+  /// Adds a face that only keeps its number, in the place of one that cannot be
+  /// taken. reason: for Scene::left_out(). Returns the face's number.
+  int LeaveOutFace(std::string_view reason, int line = 0);
+
   /// Names the object or group of the faces that follow.
   void SetGroup(std::string_view name);
 
+  /// Whether faces that emit do so to both sides, from now on.
+  void SetTwoSided(bool two_sided);
+
+  /// Whether rings that are no polygons are left out from now on, with a note,
+  /// instead of being errors.
+  void SetLenient(bool lenient);
+
   /// The scene, or every defect of it: a coordinate or an emission that is
-  /// not finite, a negative emission, a ring with fewer than 3 points, a
-  /// polygon that is not simple seen along its Newell normal. Notes: faces
-  /// without area (ignored), faces that are not planar (split in triangles).
-  /// The builder is empty afterwards.
+  /// not finite, a negative emission, a planar ring that encloses some points
+  /// other than once. Notes: faces without area (ignored), faces that are not
+  /// planar (split in triangles), faces that were left out. The builder is
+  /// empty afterwards, neither lenient nor two-sided.
   [[nodiscard]] Result<Scene> Build();
 
  private:

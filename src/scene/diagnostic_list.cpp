@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,8 +28,30 @@ void DiagnosticList::Note(int line, std::string message) {
 }
 
 void DiagnosticList::Add(Diagnostic diagnostic) {
-  Kept& kept = diagnostic.severity == Severity::kError ? errors_ : notes_;
-  Keep(kept, std::move(diagnostic));
+  const bool is_error = diagnostic.severity == Severity::kError;
+  has_errors_ = has_errors_ || is_error;
+  Keep(is_error ? errors_ : notes_, std::move(diagnostic));
+}
+
+void DiagnosticList::CountError(int line, std::string_view what) {
+  has_errors_ = true;
+  Count(Severity::kError, line, what);
+}
+
+void DiagnosticList::CountNote(int line, std::string_view what) {
+  Count(Severity::kNote, line, what);
+}
+
+void DiagnosticList::Count(Severity severity, int line, std::string_view what) {
+  const auto found = std::ranges::find_if(counted_, [&](const Counted& c) {
+    return c.first.severity == severity && c.first.message == what;
+  });
+  if (found == counted_.end()) {
+    counted_.push_back({{severity, file_, line, std::string(what)}, 1});
+    return;
+  }
+  found->first.line = std::min(found->first.line, line);
+  ++found->count;
 }
 
 /// Lets the list grow to twice the limit before cutting it, so that millions
@@ -57,6 +80,13 @@ std::vector<Diagnostic> DiagnosticList::Sorted() const {
     }
     all.insert(all.end(), first.begin(), first.end());
   };
+  for (const Counted& counted : counted_) {
+    all.push_back(counted.first);
+    if (counted.count > 1) {
+      all.back().message +=
+          " (and " + std::to_string(counted.count - 1) + " more such lines)";
+    }
+  }
   append(errors_, Severity::kError, "errors");
   append(notes_, Severity::kNote, "notes");
   SortByLine(all);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "truelux/diagnostics.h"
@@ -24,9 +25,14 @@ class DiagnosticList {
   void Note(int line, std::string message);
   void Add(Diagnostic diagnostic);
 
+  /// One error, or one note, for all lines that the same text is told of: it
+  /// stands at the first of them and counts the others. For a few texts only.
+  void CountError(int line, std::string_view what);
+  void CountNote(int line, std::string_view what);
+
   [[nodiscard]] const std::string& file() const { return file_; }
 
-  [[nodiscard]] bool has_errors() const { return errors_.total > 0; }
+  [[nodiscard]] bool has_errors() const { return has_errors_; }
 
   /// By line; a last line tells how many more there are.
   [[nodiscard]] std::vector<Diagnostic> Sorted() const;
@@ -37,11 +43,20 @@ class DiagnosticList {
     std::size_t total = 0;
   };
 
+  /// What many lines have in common.
+  struct Counted {
+    Diagnostic first;
+    std::size_t count = 0;
+  };
+
   static void Keep(Kept& kept, Diagnostic diagnostic);
+  void Count(Severity severity, int line, std::string_view what);
 
   std::string file_;
+  bool has_errors_ = false;
   Kept errors_;
   Kept notes_;
+  std::vector<Counted> counted_;
 };
 
 }  // namespace truelux

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/polygon.h"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
 #include "exact/number.h"
+#include "scene/boundary_triangulation.h"
 
 namespace truelux {
 
@@ -13,18 +15,51 @@ PolygonKind PolygonReader::Read(std::span<const Point3> ring) {
   triangles_.clear();
   const RingShape shape = projection_.Project(ring);
   if (shape == RingShape::kNoArea) return PolygonKind::kNoArea;
-  if (shape == RingShape::kZeroNormal) return PolygonKind::kZeroNormal;
+  if (shape == RingShape::kZeroNormal) {
+    TakeFan(ring);
+    return PolygonKind::kNotPlanar;
+  }
   if (ring.size() == 3) {
     triangles_.push_back({0, 1, 2});
     return PolygonKind::kPlanar;
   }
   if (const std::optional<BoundaryContact> contact = FindContact(projection_)) {
     contact_ = *contact;
-    return PolygonKind::kNotSimple;
+    const PolygonKind kind = ReadMeetingItself(shape);
+    if (kind == PolygonKind::kNotPlanar && triangles_.empty()) TakeFan(ring);
+    return kind;
   }
   Triangulate(projection_, triangles_);
   return shape == RingShape::kPlanar ? PolygonKind::kPlanar
                                      : PolygonKind::kNotPlanar;
+}
+
+/// A ring of four points or more whose image meets itself. Without triangles
+/// if it is not planar and the fan stands for it.
+PolygonKind PolygonReader::ReadMeetingItself(RingShape shape) {
+  const RingInside inside = FindInside(projection_, boundary_);
+  switch (shape) {
+    case RingShape::kFlat:
+      return inside == RingInside::kNothing ? PolygonKind::kNoArea
+                                            : PolygonKind::kNoPolygon;
+    case RingShape::kPlanar:
+      if (inside != RingInside::kOnce) return PolygonKind::kNoPolygon;
+      TriangulateInside(projection_, boundary_, triangles_);
+      return PolygonKind::kPlanar;
+    default:
+      if (inside != RingInside::kOnce) return PolygonKind::kNotPlanar;
+      TriangulateMeetingItself(projection_, triangles_);
+      return PolygonKind::kNotPlanar;
+  }
+}
+
+/// The fan from the first point, without the triangles whose corners are on one
+/// line.
+void PolygonReader::TakeFan(std::span<const Point3> ring) {
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    if (AreOnOneLine(ring[0], ring[i], ring[i + 1])) continue;
+    triangles_.push_back({0, static_cast<int>(i), static_cast<int>(i) + 1});
+  }
 }
 
 }  // namespace truelux

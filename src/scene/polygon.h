@@ -10,24 +10,25 @@
 #include "truelux/geometry.h"
 
 #include "scene/projected_ring.h"
+#include "scene/ring_inside.h"
 #include "scene/simple_polygon.h"
 #include "scene/triangulation.h"
 
 namespace truelux {
 
 enum class PolygonKind {
-  kNoArea,      ///< all points on one line
-  kZeroNormal,  ///< not on one line, but the Newell normal is zero
-  kNotSimple,   ///< the boundary meets itself, seen along the Newell normal
-  kPlanar,      ///< a simple polygon in one plane
-  kNotPlanar,   ///< simple as seen along the Newell normal
+  kNoArea,     ///< no inside: all points on one line, or winding numbers 0
+  kNoPolygon,  ///< planar, but some winding numbers are neither 0 nor 1
+  kPlanar,     ///< a polygon in one plane
+  kNotPlanar,  ///< not in one plane: stands for its triangles
 };
 
 /// Takes rings one after the other and keeps its memory between them.
 class PolygonReader {
  public:
   /// ring: n x 3, n >= 3, finite, no two consecutive points equal
-  /// (cyclically). All decisions are exact (docs/scene_format.md, Faces).
+  /// (cyclically), no spikes. All decisions are exact (docs/scene_format.md,
+  /// Faces).
   PolygonKind Read(std::span<const Point3> ring);
 
   /// Triangles of the last ring: of kPlanar their union is the polygon; of
@@ -36,11 +37,15 @@ class PolygonReader {
     return triangles_;
   }
 
-  /// Where the last ring, kNotSimple, meets itself.
+  /// Where the last ring, kNoPolygon, meets itself.
   [[nodiscard]] const BoundaryContact& contact() const { return contact_; }
 
  private:
+  PolygonKind ReadMeetingItself(RingShape shape);
+  void TakeFan(std::span<const Point3> ring);
+
   ProjectedRing projection_;
+  std::vector<BoundaryStep> boundary_;
   std::vector<RingTriangle> triangles_;
   BoundaryContact contact_;
 };

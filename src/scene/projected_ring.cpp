@@ -2,6 +2,8 @@
 #include "scene/projected_ring.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -43,11 +45,15 @@ std::optional<NormalAxis> ExactNormalAxis(const Vec3<Exact>& normal) {
   return std::nullopt;
 }
 
-bool OnOneLine(std::span<const Point3> ring) {
+/// A normal of the plane through the first edge and a point off its line;
+/// nothing if all points are on it.
+std::optional<Vec3<Exact>> NormalOfCorner(std::span<const Point3> ring) {
   const Vec3<Exact> along = Displacement<Exact>(ring[0], ring[1]);
-  return std::ranges::all_of(ring.subspan(2), [&](const Point3& p) {
-    return !ExactNormalAxis(Cross(along, Displacement<Exact>(ring[0], p)));
-  });
+  for (const Point3& p : ring.subspan(2)) {
+    const Vec3<Exact> normal = Cross(along, Displacement<Exact>(ring[0], p));
+    if (ExactNormalAxis(normal)) return normal;
+  }
+  return std::nullopt;
 }
 
 bool IsPlanar(std::span<const Point3> ring, const Vec3<Interval>& normal) {
@@ -85,6 +91,11 @@ constexpr std::size_t Index(int i) {
 
 }  // namespace
 
+bool AreOnOneLine(const Point3& a, const Point3& b, const Point3& c) {
+  const std::array<Point3, 3> ring{a, b, c};
+  return !NormalOfCorner(ring);
+}
+
 RingShape ProjectedRing::Project(std::span<const Point3> points) {
   points_ = points;
   u_.clear();
@@ -93,9 +104,7 @@ RingShape ProjectedRing::Project(std::span<const Point3> points) {
   const auto normal = NewellNormal<Interval>(points);
   std::optional<NormalAxis> found = TryNormalAxis(normal);
   if (!found) found = ExactNormalAxis(NewellNormal<Exact>(points));
-  if (!found) {
-    return OnOneLine(points) ? RingShape::kNoArea : RingShape::kZeroNormal;
-  }
+  if (!found) return ProjectFlat();
   if (points.size() == 3) return RingShape::kPlanar;
   axis_ = found->axis;
   mirrored_ = found->sign == Sign::kNegative;
@@ -105,9 +114,26 @@ RingShape ProjectedRing::Project(std::span<const Point3> points) {
   return shape_;
 }
 
+/// The same for a ring without a Newell normal.
+RingShape ProjectedRing::ProjectFlat() {
+  const std::optional<Vec3<Exact>> normal = NormalOfCorner(points_);
+  if (!normal) return RingShape::kNoArea;
+  const bool flat =
+      std::ranges::all_of(points_.subspan(1), [&](const Point3& p) {
+        return SignOf(HeightOver(*normal, points_[0], p)) == Sign::kZero;
+      });
+  if (!flat) return RingShape::kZeroNormal;
+  const NormalAxis found = *ExactNormalAxis(*normal);
+  axis_ = found.axis;
+  mirrored_ = found.sign == Sign::kNegative;
+  shape_ = RingShape::kFlat;
+  ComputeImage({});
+  return shape_;
+}
+
 void ProjectedRing::ComputeImage(const Vec3<Interval>& normal) {
   for (const Point3& p : points_) {
-    if (shape_ == RingShape::kPlanar) {
+    if (shape_ != RingShape::kNotPlanar) {
       u_.emplace_back(Coordinate(p, UAxis()));
       v_.emplace_back(Coordinate(p, VAxis()));
     } else {
@@ -119,7 +145,7 @@ void ProjectedRing::ComputeImage(const Vec3<Interval>& normal) {
 }
 
 void ProjectedRing::ComputeExactImage() const {
-  if (shape_ == RingShape::kPlanar) {
+  if (shape_ != RingShape::kNotPlanar) {
     for (const Point3& p : points_) {
       exact_.push_back(
           {Exact(Coordinate(p, UAxis())), Exact(Coordinate(p, VAxis()))});
@@ -137,6 +163,11 @@ void ProjectedRing::ComputeExactImage() const {
 const ProjectedRing::ExactPoint& ProjectedRing::ExactImage(int i) const {
   if (exact_.empty()) ComputeExactImage();
   return exact_[Index(i)];
+}
+
+std::array<double, 2> ProjectedRing::PlanarImage(int i) const {
+  assert(shape_ == RingShape::kPlanar || shape_ == RingShape::kFlat);
+  return {u_[Index(i)].inf(), v_[Index(i)].inf()};
 }
 
 Sign ProjectedRing::Orientation(int i, int j, int k) const {
@@ -157,6 +188,35 @@ Sign ProjectedRing::Order(int i, int j) const {
   sign = TrySign(v_[Index(j)] - v_[Index(i)]);
   if (!sign) sign = SignOf(ExactImage(j).v - ExactImage(i).v);
   return *sign;
+}
+
+Sign ProjectedRing::Rise(int i, int j) const {
+  const std::optional<Sign> sign = TrySign(v_[Index(j)] - v_[Index(i)]);
+  return sign ? *sign : SignOf(ExactImage(j).v - ExactImage(i).v);
+}
+
+Sign ProjectedRing::MiddleAbove(int i, int j, int k) const {
+  const Interval two(2);
+  const std::optional<Sign> sign =
+      TrySign(v_[Index(i)] + v_[Index(j)] - two * v_[Index(k)]);
+  return sign ? *sign
+              : SignOf(ExactImage(i).v + ExactImage(j).v -
+                       Exact(2) * ExactImage(k).v);
+}
+
+Sign ProjectedRing::MiddleSide(int i, int j, int k, int l) const {
+  const Sign k_side = Orientation(i, j, k);
+  const Sign l_side = Orientation(i, j, l);
+  if (k_side * l_side != Sign::kNegative) {
+    return k_side != Sign::kZero ? k_side : l_side;
+  }
+  // The turn of the middle is half the sum of theirs.
+  const ExactPoint& a = ExactImage(i);
+  const ExactPoint& b = ExactImage(j);
+  const ExactPoint& c = ExactImage(k);
+  const ExactPoint& d = ExactImage(l);
+  return SignOf(Turn(a.u, a.v, b.u, b.v, c.u, c.v) +
+                Turn(a.u, a.v, b.u, b.v, d.u, d.v));
 }
 
 bool ProjectedRing::SurelyApart(int i, int j, int k, int l) const {

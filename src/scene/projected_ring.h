@@ -6,6 +6,7 @@
 #ifndef TRUELUX_SCENE_PROJECTED_RING_H_
 #define TRUELUX_SCENE_PROJECTED_RING_H_
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -20,10 +21,14 @@ namespace truelux {
 /// What a closed ring of points is in space.
 enum class RingShape {
   kNoArea,      ///< all points on one line
-  kZeroNormal,  ///< not on one line, but the Newell normal is zero
+  kFlat,        ///< in one plane, but the Newell normal is zero
+  kZeroNormal,  ///< not in one plane, and the Newell normal is zero
   kPlanar,      ///< all points in one plane
   kNotPlanar,
 };
+
+/// Whether three points lie on one line (two that are equal included).
+bool AreOnOneLine(const Point3& a, const Point3& b, const Point3& c);
 
 /// A ring projected along its Newell normal, the vector area (doubled) that
 /// does not depend on a choice of triangles: sum of (p_i - p_0) x
@@ -40,10 +45,14 @@ class ProjectedRing {
  public:
   /// Takes n >= 3 points, finite, no two consecutive ones equal (cyclically),
   /// which must outlive the use. The members below may be called if the shape
-  /// is kPlanar or kNotPlanar; not needed for three points, and not ready.
+  /// is kPlanar, kNotPlanar or kFlat; not needed for three points, and not
+  /// ready. Of kFlat, the image is along either normal of the plane.
   RingShape Project(std::span<const Point3> points);
 
   [[nodiscard]] int size() const { return static_cast<int>(u_.size()); }
+
+  /// The image of a point, exactly. Only if the shape is kPlanar or kFlat.
+  [[nodiscard]] std::array<double, 2> PlanarImage(int i) const;
 
   /// kPositive if i, j, k turn counter-clockwise. i, j, k  indices of points.
   [[nodiscard]] Sign Orientation(int i, int j, int k) const;
@@ -51,6 +60,17 @@ class ProjectedRing {
   /// The order of points along any line of the image: kPositive if j comes
   /// after i, kZero if their images coincide.
   [[nodiscard]] Sign Order(int i, int j) const;
+
+  /// The order of points by v: kPositive if j lies above i.
+  [[nodiscard]] Sign Rise(int i, int j) const;
+
+  /// The order of the middle between i and j and of point k by v: kPositive if
+  /// the middle lies above k.
+  [[nodiscard]] Sign MiddleAbove(int i, int j, int k) const;
+
+  /// kPositive if the middle between k and l lies to the left of the line from
+  /// i to j.
+  [[nodiscard]] Sign MiddleSide(int i, int j, int k, int l) const;
 
   /// True only if the segments ij and kl have disjoint bounding boxes.
   [[nodiscard]] bool SurelyApart(int i, int j, int k, int l) const;
@@ -65,6 +85,7 @@ class ProjectedRing {
 
   [[nodiscard]] int VAxis() const { return (axis_ + (mirrored_ ? 1 : 2)) % 3; }
 
+  RingShape ProjectFlat();
   void ComputeImage(const Vec3<Interval>& normal);
   void ComputeExactImage() const;
   [[nodiscard]] const ExactPoint& ExactImage(int i) const;

@@ -35,4 +35,8 @@ std::span<const std::string> Scene::group_names() const {
   return data_->group_names;
 }
 
+std::span<const LeftOutFaces> Scene::left_out() const {
+  return data_->left_out;
+}
+
 }  // namespace truelux

@@ -6,8 +6,12 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
+
+#include "scene/emitters.h"
+#include "scene/ring_spikes.h"
 
 namespace truelux {
 namespace {
@@ -26,7 +30,24 @@ bool IsEmission(const Rgb& emission) {
 SceneAssembly::SceneAssembly(std::string file_name)
     : file_name_(std::move(file_name)) {}
 
-void SceneAssembly::AddFace(Face face, std::span<const Point3> ring) {
+void AppendBacks(int first_facet, int end, SceneArrays& arrays) {
+  for (int i = first_facet; i < end; ++i) {
+    Facet back = arrays.facets[static_cast<std::size_t>(i)];
+    const auto first = static_cast<std::size_t>(back.first_triangle);
+    const auto count = static_cast<std::size_t>(back.triangle_count);
+    back.is_back = true;
+    back.first_triangle = static_cast<int>(arrays.triangles.size());
+    for (std::size_t k = first; k < first + count; ++k) {
+      Triangle triangle = arrays.triangles[k];
+      std::swap(triangle.vertices[1], triangle.vertices[2]);
+      triangle.facet = static_cast<int>(arrays.facets.size());
+      arrays.triangles.push_back(triangle);
+    }
+    arrays.facets.push_back(back);
+  }
+}
+
+void SceneAssembly::BeginFace(Face face) {
   face.first_facet = static_cast<int>(arrays_.facets.size());
   face.facet_count = 0;
   face.first_corner = static_cast<int>(arrays_.corners.size());
@@ -34,25 +55,38 @@ void SceneAssembly::AddFace(Face face, std::span<const Point3> ring) {
   for (double& e : face.emission) {
     if (e == 0) e = 0;  // also -0
   }
+  face.is_emitter = Emits(face);
   arrays_.faces.push_back(face);
+}
+
+void SceneAssembly::AddFace(Face face, std::span<const Point3> ring) {
+  BeginFace(face);
   if (!CheckNumbers(ring)) return;
   TakeRing(ring);
-  arrays_.corners.insert(arrays_.corners.end(), ring_vertices_.begin(),
-                         ring_vertices_.end());
-  arrays_.faces.back().corner_count = static_cast<int>(ring_vertices_.size());
-  if (ring_points_.size() < 3) {
+  for (const RingCorner& corner : ring_)
+    arrays_.corners.push_back(corner.vertex);
+  arrays_.faces.back().corner_count = static_cast<int>(ring_.size());
+  if (ring_.size() < 3) {
     CountFace(without_area_);
   } else {
     AddPolygon();
+    if (two_sided_ && arrays_.faces.back().is_emitter) AddBacks();
   }
 }
 
+void SceneAssembly::LeaveOut(Face face, std::string_view reason) {
+  BeginFace(face);
+  LeaveOutLast(reason);
+}
+
+void SceneAssembly::LeaveOutLast(std::string_view reason) {
+  const auto [entry, is_new] =
+      reasons_.try_emplace(std::string(reason), arrays_.left_out.size());
+  if (is_new) arrays_.left_out.push_back({std::string(reason), {}});
+  arrays_.left_out[entry->second].numbers.push_back(face_count());
+}
+
 bool SceneAssembly::CheckNumbers(std::span<const Point3> ring) {
-  if (ring.size() < 3) {
-    ReportError("a face with " + std::to_string(ring.size()) +
-                " vertices, expected at least 3");
-    return false;
-  }
   if (!std::ranges::all_of(ring, IsFinite)) {
     ReportError("a coordinate is not finite, expected finite numbers");
     return false;
@@ -67,22 +101,22 @@ bool SceneAssembly::CheckNumbers(std::span<const Point3> ring) {
 }
 
 void SceneAssembly::TakeRing(std::span<const Point3> ring) {
-  ring_vertices_.clear();
+  ring_.clear();
   ring_points_.clear();
-  ring_corners_.clear();
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const int vertex = points_.Insert(ring[i]);
-    if (!ring_vertices_.empty() && ring_vertices_.back() == vertex) continue;
-    ring_vertices_.push_back(vertex);
-    ring_points_.push_back(ring[i]);
-    ring_corners_.push_back(static_cast<int>(i) + 1);
+  int number = 0;
+  for (const Point3& point : ring) {
+    const int vertex = points_.Insert(point);
+    ++number;
+    if (!ring_.empty() && ring_.back().vertex == vertex) continue;
+    ring_.push_back({vertex, number});
   }
-  while (ring_vertices_.size() > 1 &&
-         ring_vertices_.front() == ring_vertices_.back()) {
-    ring_vertices_.pop_back();
-    ring_points_.pop_back();
-    ring_corners_.pop_back();
-  }
+  while (ring_.size() > 1 && ring_.front().vertex == ring_.back().vertex)
+    ring_.pop_back();
+  RemoveSpikes(ring_, [](const RingCorner& a, const RingCorner& b) {
+    return a.vertex == b.vertex;
+  });
+  for (const RingCorner& corner : ring_)
+    ring_points_.push_back(ring[static_cast<std::size_t>(corner.number - 1)]);
 }
 
 void SceneAssembly::AddPolygon() {
@@ -90,13 +124,12 @@ void SceneAssembly::AddPolygon() {
     case PolygonKind::kNoArea:
       CountFace(without_area_);
       break;
-    case PolygonKind::kZeroNormal:
-      ReportError(
-          "not a simple polygon: its Newell normal is zero, expected a "
-          "boundary that nowhere meets itself");
-      break;
-    case PolygonKind::kNotSimple:
-      ReportContact();
+    case PolygonKind::kNoPolygon:
+      if (lenient_) {
+        LeaveOutLast("no polygon, the boundary crosses itself");
+      } else {
+        ReportNoPolygon();
+      }
       break;
     case PolygonKind::kPlanar:
       AddFacet(polygon_.triangles());
@@ -112,17 +145,25 @@ void SceneAssembly::AddPolygon() {
 
 void SceneAssembly::AddFacet(std::span<const RingTriangle> triangles) {
   const int facet = static_cast<int>(arrays_.facets.size());
-  arrays_.facets.push_back({face_count() - 1,
+  arrays_.facets.push_back({face_count() - 1, false,
                             static_cast<int>(arrays_.triangles.size()),
                             static_cast<int>(triangles.size())});
   ++arrays_.faces.back().facet_count;
   const auto vertex = [this](int i) {
-    return ring_vertices_[static_cast<std::size_t>(i)];
+    return ring_[static_cast<std::size_t>(i)].vertex;
   };
   for (const RingTriangle& t : triangles) {
     arrays_.triangles.push_back(
         {{vertex(t[0]), vertex(t[1]), vertex(t[2])}, facet});
   }
+}
+
+/// Adds every facet of the last face once more, turned round.
+void SceneAssembly::AddBacks() {
+  const Face& face = arrays_.faces.back();
+  const int end = face.first_facet + face.facet_count;
+  AppendBacks(face.first_facet, end, arrays_);
+  arrays_.faces.back().facet_count *= 2;
 }
 
 void SceneAssembly::CountFace(Tally& tally) const {
@@ -136,18 +177,42 @@ void SceneAssembly::ReportError(const std::string& message) {
   diagnostics_.push_back({Severity::kError, file_name_, line, where + message});
 }
 
-void SceneAssembly::ReportContact() {
+void SceneAssembly::ReportNoPolygon() {
   const auto edge = [this](int i) {
     const auto first = static_cast<std::size_t>(i);
-    const std::size_t second = first + 1 < ring_corners_.size() ? first + 1 : 0;
-    return std::to_string(ring_corners_[first]) + "-" +
-           std::to_string(ring_corners_[second]);
+    const std::size_t second = first + 1 < ring_.size() ? first + 1 : 0;
+    return std::to_string(ring_[first].number) + "-" +
+           std::to_string(ring_[second].number);
   };
-  ReportError("not a simple polygon: its edges " +
-              edge(polygon_.contact().first_edge) + " and " +
-              edge(polygon_.contact().second_edge) +
-              " meet (vertices of the face counted from 1), expected a "
-              "boundary that nowhere meets itself");
+  ReportError("no polygon: its edges " + edge(polygon_.contact().first_edge) +
+              " and " + edge(polygon_.contact().second_edge) +
+              " meet (vertices of the face counted from 1), and some points "
+              "are enclosed other than once, expected a boundary that does not "
+              "cross itself (--lenient leaves such faces out)");
+}
+
+std::string SceneAssembly::PlaceOf(int face) const {
+  const int line = arrays_.faces[static_cast<std::size_t>(face)].line;
+  return line > 0 ? "line " + std::to_string(line)
+                  : "face " + std::to_string(face + 1);
+}
+
+void SceneAssembly::ReportLeftOut(const LeftOutFaces& left_out) {
+  constexpr std::size_t kMostNamed = 10;
+  const std::size_t count = left_out.numbers.size();
+  std::string places;
+  for (std::size_t i = 0; i < std::min(count, kMostNamed); ++i) {
+    places += (i > 0 ? ", " : "") + PlaceOf(left_out.numbers[i] - 1);
+  }
+  if (count > kMostNamed) {
+    places += " and " + std::to_string(count - kMostNamed) + " more";
+  }
+  const int first = left_out.numbers.front() - 1;
+  diagnostics_.push_back(
+      {Severity::kNote, file_name_,
+       arrays_.faces[static_cast<std::size_t>(first)].line,
+       std::to_string(count) + (count == 1 ? " face is" : " faces are") +
+           " left out: " + left_out.reason + " (" + places + ")"});
 }
 
 void SceneAssembly::ReportTally(const Tally& tally, const std::string& one,
@@ -155,13 +220,10 @@ void SceneAssembly::ReportTally(const Tally& tally, const std::string& one,
   if (tally.count == 0) return;
   const int line =
       arrays_.faces[static_cast<std::size_t>(tally.first_face)].line;
-  const std::string first =
-      line > 0 ? "line " + std::to_string(line)
-               : "face " + std::to_string(tally.first_face + 1);
   diagnostics_.push_back({Severity::kNote, file_name_, line,
                           std::to_string(tally.count) +
                               (tally.count == 1 ? one : many) + ", first at " +
-                              first});
+                              PlaceOf(tally.first_face)});
 }
 
 std::vector<Diagnostic> SceneAssembly::TakeDiagnostics() {
@@ -169,6 +231,8 @@ std::vector<Diagnostic> SceneAssembly::TakeDiagnostics() {
               " faces without area are ignored");
   ReportTally(not_planar_, " face is not planar and is split into triangles",
               " faces are not planar and are split into triangles");
+  for (const LeftOutFaces& left_out : arrays_.left_out)
+    ReportLeftOut(left_out);
   return std::exchange(diagnostics_, {});
 }
 

@@ -6,6 +6,8 @@
 
 #include <span>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "truelux/diagnostics.h"
@@ -21,6 +23,16 @@ namespace truelux {
 class SceneAssembly {
  public:
   explicit SceneAssembly(std::string file_name);
+
+  /// Whether faces that are no polygons are left out from now on, instead of
+  /// being errors.
+  void set_lenient(bool lenient) { lenient_ = lenient; }
+
+  /// Whether faces that emit do so to both sides from now on.
+  void set_two_sided(bool two_sided) { two_sided_ = two_sided; }
+
+  /// Adds a face with line and group set that is left out for a reason.
+  void LeaveOut(Face face, std::string_view reason);
 
   /// Adds a face with emission, line and group set. ring: n x 3.
   void AddFace(Face face, std::span<const Point3> ring);
@@ -44,11 +56,16 @@ class SceneAssembly {
 
   bool CheckNumbers(std::span<const Point3> ring);
   void TakeRing(std::span<const Point3> ring);
+  void BeginFace(Face face);
   void AddPolygon();
+  void AddBacks();
   void AddFacet(std::span<const RingTriangle> triangles);
   void CountFace(Tally& tally) const;
   void ReportError(const std::string& message);
-  void ReportContact();
+  void LeaveOutLast(std::string_view reason);
+  void ReportNoPolygon();
+  void ReportLeftOut(const LeftOutFaces& left_out);
+  [[nodiscard]] std::string PlaceOf(int face) const;
   void ReportTally(const Tally& tally, const std::string& one,
                    const std::string& many);
 
@@ -56,11 +73,21 @@ class SceneAssembly {
   SceneArrays arrays_;  ///< the current face is the last
   PointIndex points_;
   PolygonReader polygon_;
-  // The current ring without consecutive duplicates: each point's index in the
-  // scene, position, and number (from 1) among the corners of the face.
-  std::vector<int> ring_vertices_;
+  bool lenient_ = false;
+  bool two_sided_ = false;
+
+  /// A corner of the current face: index in the scene, and number from 1 among
+  /// the corners of the face.
+  struct RingCorner {
+    int vertex = 0;
+    int number = 0;
+  };
+
+  // The current ring without consecutive duplicates and spikes.
+  std::vector<RingCorner> ring_;
   std::vector<Point3> ring_points_;
-  std::vector<int> ring_corners_;
+  /// Index into SceneArrays::left_out.
+  std::unordered_map<std::string, std::size_t> reasons_;
   std::vector<Diagnostic> diagnostics_;
   Tally without_area_;
   Tally not_planar_;

@@ -18,6 +18,14 @@ namespace truelux {
 struct SceneBuilder::Impl {
   explicit Impl(const std::string& name) : file_name(name), assembly(name) {}
 
+  [[nodiscard]] Face MakeFace(const Rgb& emission, int line) const {
+    Face face;
+    face.emission = emission;
+    face.line = line;
+    face.group = group;
+    return face;
+  }
+
   std::string file_name;
   SceneAssembly assembly;
   std::vector<std::string> group_names{""};
@@ -34,12 +42,21 @@ SceneBuilder& SceneBuilder::operator=(SceneBuilder&&) noexcept = default;
 
 int SceneBuilder::AddFace(std::vector<Point3> ring, const Rgb& emission,
                           int line) {
-  Face face;
-  face.emission = emission;
-  face.line = line;
-  face.group = impl_->group;
-  impl_->assembly.AddFace(face, ring);
+  impl_->assembly.AddFace(impl_->MakeFace(emission, line), ring);
   return impl_->assembly.face_count();
+}
+
+int SceneBuilder::LeaveOutFace(std::string_view reason, int line) {
+  impl_->assembly.LeaveOut(impl_->MakeFace({}, line), reason);
+  return impl_->assembly.face_count();
+}
+
+void SceneBuilder::SetTwoSided(bool two_sided) {
+  impl_->assembly.set_two_sided(two_sided);
+}
+
+void SceneBuilder::SetLenient(bool lenient) {
+  impl_->assembly.set_lenient(lenient);
 }
 
 void SceneBuilder::SetGroup(std::string_view name) {

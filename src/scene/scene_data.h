@@ -19,7 +19,11 @@ struct SceneArrays {
   std::vector<Face> faces;
   std::vector<int> corners;
   std::vector<std::string> group_names{""};
+  std::vector<LeftOutFaces> left_out;
 };
+
+/// Appends the backs of the facets first_facet .. end - 1 of the last face.
+void AppendBacks(int first_facet, int end, SceneArrays& arrays);
 
 struct Scene::Data : SceneArrays {};
 

@@ -41,6 +41,11 @@ void AppendFacets(const Scene& scene, const Face& face, bool reversed,
   }
 }
 
+bool IsTwoSided(const Scene& scene, const Face& face) {
+  return face.facet_count > 0 &&
+         scene.facets()[Index(face.first_facet + face.facet_count - 1)].is_back;
+}
+
 }  // namespace
 
 Scene SceneVariants::Changed(
@@ -51,9 +56,11 @@ Scene SceneVariants::Changed(
   data->corners.assign(scene.corners().begin(), scene.corners().end());
   data->group_names.assign(scene.group_names().begin(),
                            scene.group_names().end());
+  data->left_out.assign(scene.left_out().begin(), scene.left_out().end());
   for (std::size_t i = 0; i < scene.faces().size(); ++i) {
     const Face& face = scene.faces()[i];
-    FaceChange changed{face.emission, false, false};
+    FaceChange changed;
+    changed.emission = face.emission;
     change(i, changed);
     Face copy = face;
     copy.emission = changed.emission;
@@ -63,6 +70,11 @@ Scene SceneVariants::Changed(
       copy.emission = {};
     } else {
       AppendFacets(scene, face, changed.reversed, *data);
+      if (changed.two_sided && !IsTwoSided(scene, face)) {
+        AppendBacks(copy.first_facet, copy.first_facet + copy.facet_count,
+                    *data);
+        copy.facet_count *= 2;
+      }
     }
     if (changed.reversed && face.corner_count > 0) {
       // The ring still begins at its first corner.
@@ -85,6 +97,12 @@ Scene WithUnitExitance(const Scene& scene) {
 Scene WithReversedEmitters(const Scene& scene) {
   return SceneVariants::Changed(scene, [&](std::size_t i, FaceChange& change) {
     change.reversed = Emits(scene.faces()[i]);
+  });
+}
+
+Scene WithTwoSidedEmitters(const Scene& scene) {
+  return SceneVariants::Changed(scene, [&](std::size_t i, FaceChange& change) {
+    change.two_sided = Emits(scene.faces()[i]);
   });
 }
 

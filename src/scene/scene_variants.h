@@ -15,9 +15,10 @@ namespace truelux {
 
 /// What a face is in a variant.
 struct FaceChange {
-  Rgb emission{};         ///< instead of Face::emission
-  bool reversed = false;  ///< front and back are exchanged
-  bool removed = false;   ///< it neither emits nor blocks
+  Rgb emission{};          ///< instead of Face::emission
+  bool reversed = false;   ///< front and back are exchanged
+  bool removed = false;    ///< it neither emits nor blocks
+  bool two_sided = false;  ///< it emits to both sides, if it emits
 };
 
 /// Makes variants. Faces keep their numbers, lines and groups, and a face that
@@ -37,6 +38,9 @@ class SceneVariants {
 
 /// Every face that emits does so from its other side.
 [[nodiscard]] Scene WithReversedEmitters(const Scene& scene);
+
+/// Every face that emits does so to both sides.
+[[nodiscard]] Scene WithTwoSidedEmitters(const Scene& scene);
 
 /// Some faces are not there. faces: indices into Scene::faces().
 [[nodiscard]] Scene WithoutFaces(const Scene& scene,

@@ -18,7 +18,8 @@ struct BoundaryContact {
 };
 
 /// A contact of the ring's image with itself: a crossing, a pinch, a spike,
-/// overlapping edges or points that coincide. A vertex of 180 degrees is
+/// overlapping edges or points that coincide. Such a ring may be a polygon all
+/// the same: ring_inside.h tells. A vertex of 180 degrees is
 /// none. Takes O(n^2) box tests. Requires RoundUpward.
 std::optional<BoundaryContact> FindContact(const ProjectedRing& ring);
 

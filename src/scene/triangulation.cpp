@@ -3,11 +3,13 @@
 
 #include <cassert>
 #include <cstddef>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
 #include "exact/rounding.h"
 #include "exact/sign.h"
+#include "scene/ring_spikes.h"
 #include "scene/simple_polygon.h"
 
 namespace truelux {
@@ -15,6 +17,13 @@ namespace {
 
 bool IsPositive(const ProjectedRing& ring, const RingTriangle& t) {
   return ring.Orientation(t[0], t[1], t[2]) == Sign::kPositive;
+}
+
+/// Whether a point lies in a triangle or on its border.
+bool IsIn(const ProjectedRing& ring, const RingTriangle& t, int point) {
+  return ring.Orientation(t[0], t[1], point) != Sign::kNegative &&
+         ring.Orientation(t[1], t[2], point) != Sign::kNegative &&
+         ring.Orientation(t[2], t[0], point) != Sign::kNegative;
 }
 
 /// Appends the fan from point 0. Returns false if it has a triangle without
@@ -63,18 +72,12 @@ class EarClipper {
     return {points_[Previous(tip)], points_[tip], points_[Next(tip)]};
   }
 
-  [[nodiscard]] bool Contains(const RingTriangle& t, int point) const {
-    return ring_.Orientation(t[0], t[1], point) != Sign::kNegative &&
-           ring_.Orientation(t[1], t[2], point) != Sign::kNegative &&
-           ring_.Orientation(t[2], t[0], point) != Sign::kNegative;
-  }
-
   [[nodiscard]] bool IsEar(std::size_t tip) const {
     const RingTriangle triangle = TriangleAt(tip);
     if (!IsPositive(ring_, triangle)) return false;
     for (const int point : points_) {
       if (point != triangle[0] && point != triangle[1] &&
-          point != triangle[2] && Contains(triangle, point)) {
+          point != triangle[2] && IsIn(ring_, triangle, point)) {
         return false;
       }
     }
@@ -104,6 +107,77 @@ class EarClipper {
   std::vector<bool> is_ear_;
 };
 
+/// Clips ears off a ring that meets itself.
+class MeetingClipper {
+ public:
+  explicit MeetingClipper(const ProjectedRing& ring)
+      : ring_(ring), points_(static_cast<std::size_t>(ring.size())) {
+    std::iota(points_.begin(), points_.end(), 0);
+  }
+
+  /// False if there is no ear.
+  bool Run(std::vector<RingTriangle>& triangles) {
+    while (points_.size() >= 3) {
+      std::size_t tip = 0;
+      while (tip < points_.size() && !IsEar(tip))
+        ++tip;
+      if (tip == points_.size()) return false;
+      triangles.push_back(TriangleAt(tip));
+      points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(tip));
+      RemoveSpikes(points_, [this](int i, int j) { return Coincide(i, j); });
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] int After(std::size_t i) const {
+    return points_[i + 1 < points_.size() ? i + 1 : 0];
+  }
+
+  [[nodiscard]] int Before(std::size_t i) const {
+    return points_[(i > 0 ? i : points_.size()) - 1];
+  }
+
+  [[nodiscard]] RingTriangle TriangleAt(std::size_t tip) const {
+    return {Before(tip), points_[tip], After(tip)};
+  }
+
+  [[nodiscard]] bool Coincide(int i, int j) const {
+    return i == j || ring_.Order(i, j) == Sign::kZero;
+  }
+
+  [[nodiscard]] bool IsLeft(int i, int j, int k) const {
+    return ring_.Orientation(i, j, k) == Sign::kPositive;
+  }
+
+  /// Whether a point lies strictly between the sides of an ear, seen from its
+  /// tip.
+  [[nodiscard]] bool IsBetweenSides(const RingTriangle& t, int point) const {
+    return IsLeft(t[0], t[1], point) && IsLeft(t[1], t[2], point);
+  }
+
+  [[nodiscard]] bool IsEar(std::size_t tip) const {
+    const RingTriangle t = TriangleAt(tip);
+    if (!IsPositive(ring_, t)) return false;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (i == tip) continue;
+      const int point = points_[i];
+      if (Coincide(point, t[1])) {
+        if (IsBetweenSides(t, Before(i)) || IsBetweenSides(t, After(i))) {
+          return false;
+        }
+      } else if (!Coincide(point, t[0]) && !Coincide(point, t[2]) &&
+                 IsIn(ring_, t, point)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const ProjectedRing& ring_;
+  std::vector<int> points_;
+};
+
 }  // namespace
 
 void Triangulate(const ProjectedRing& ring,
@@ -114,6 +188,15 @@ void Triangulate(const ProjectedRing& ring,
   if (TryFan(ring, triangles)) return;
   triangles.clear();
   EarClipper(ring).Run(triangles);
+}
+
+void TriangulateMeetingItself(const ProjectedRing& ring,
+                              std::vector<RingTriangle>& triangles) {
+  assert(IsRoundingUpward());
+  triangles.clear();
+  if (TryFan(ring, triangles)) return;
+  triangles.clear();
+  if (!MeetingClipper(ring).Run(triangles)) triangles.clear();
 }
 
 }  // namespace truelux

@@ -25,6 +25,15 @@ using RingTriangle = std::array<int, 3>;
 void Triangulate(const ProjectedRing& ring,
                  std::vector<RingTriangle>& triangles);
 
+/// The same for a ring that meets itself and has inside kOnce (ring_inside.h):
+/// a point that coincides with a corner of an ear does not block it, unless it
+/// coincides with the tip and an edge goes from there between the ear's sides;
+/// and spikes that are left are taken away. No triangles if nothing is an ear.
+///
+/// triangles  cleared first. Takes O(n^2), rarely O(n^3). Requires RoundUpward.
+void TriangulateMeetingItself(const ProjectedRing& ring,
+                              std::vector<RingTriangle>& triangles);
+
 }  // namespace truelux
 
 #endif  // TRUELUX_SCENE_TRIANGULATION_H_

@@ -2,7 +2,6 @@
 #include "scene/polygon.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -44,33 +43,38 @@ TEST(Polygon, AnUlpOffALineIsATriangle) {
   EXPECT_EQ(KindOf({{0, 0, 0}, {1, 2, 3}, {2, 4, up}}), PolygonKind::kPlanar);
 }
 
-TEST(Polygon, ASymmetricBowTieHasAZeroNormal) {
+TEST(Polygon, ASymmetricBowTieIsNoPolygon) {
   EXPECT_EQ(KindOf({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}),
-            PolygonKind::kZeroNormal);
-  EXPECT_EQ(KindOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}}),
-            PolygonKind::kZeroNormal);
+            PolygonKind::kNoPolygon);
 }
 
-TEST(Polygon, EveryContactOfTheBoundaryIsSeen) {
+TEST(Polygon, WithoutANormalAndNotPlanarItIsTheFan) {
+  PolygonReader reader;
+  EXPECT_EQ(reader.Read(Ring{{0, 0, 0},
+                             {1, 0, 1},
+                             {0, 1, -1},
+                             {1, 1, 2},
+                             {0, 0, 1},
+                             {0, 2, -3},
+                             {3, 1, 1}}),
+            PolygonKind::kNotPlanar);
+}
+
+TEST(Polygon, ABoundaryThatMeetsItselfMayBeThatOfAPolygon) {
   // Crossing.
   EXPECT_EQ(KindOf({{0, 0, 0}, {4, 0, 0}, {1, 3, 0}, {3, 3, 0}}),
-            PolygonKind::kNotSimple);
+            PolygonKind::kNoPolygon);
   // Pinch: a vertex on another edge.
   EXPECT_EQ(KindOf({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 0, 0}, {0, 4, 0}}),
-            PolygonKind::kNotSimple);
+            PolygonKind::kPlanar);
   // Pinch: a vertex on another vertex.
   EXPECT_EQ(
       KindOf(
           {{0, 0, 0}, {2, 1, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}}),
-      PolygonKind::kNotSimple);
-  // Spike out of a corner.
-  EXPECT_EQ(
-      KindOf(
-          {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {6, 6, 0}, {4, 4, 0}, {0, 4, 0}}),
-      PolygonKind::kNotSimple);
+      PolygonKind::kPlanar);
   // Spike along an edge.
   EXPECT_EQ(KindOf({{0, 0, 0}, {6, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}),
-            PolygonKind::kNotSimple);
+            PolygonKind::kPlanar);
   // Keyhole: a hole joined to the border by a bridge.
   EXPECT_EQ(KindOf({{0, 0, 0},
                     {9, 0, 0},
@@ -82,7 +86,7 @@ TEST(Polygon, EveryContactOfTheBoundaryIsSeen) {
                     {6, 6, 0},
                     {6, 3, 0},
                     {3, 3, 0}}),
-            PolygonKind::kNotSimple);
+            PolygonKind::kPlanar);
   // Edges that overlap without a common vertex.
   EXPECT_EQ(KindOf({{0, 0, 0},
                     {6, 0, 0},
@@ -92,24 +96,27 @@ TEST(Polygon, EveryContactOfTheBoundaryIsSeen) {
                     {2, 0, 0},
                     {2, 4, 0},
                     {0, 4, 0}}),
-            PolygonKind::kNotSimple);
+            PolygonKind::kPlanar);
+  // Twice around.
+  EXPECT_EQ(
+      KindOf(
+          {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}),
+      PolygonKind::kNoPolygon);
 }
 
-TEST(Polygon, ContactsAreSeenAlongTheNormalEvenIfTheyAreNoneInSpace) {
-  // Two points one above the other, in a ring with normal (0, 0, 1).
-  EXPECT_EQ(KindOf({{0, 0, -2},
-                    {2, 2, 1},
-                    {4, 0, -2},
-                    {4, 4, 0},
-                    {2, 2, -1},
-                    {0, 4, 0}}),
-            PolygonKind::kNotSimple);
+TEST(Polygon, ARingThatIsNotPlanarAndCrossesItselfIsTheFan) {
+  PolygonReader reader;
+  ASSERT_EQ(reader.Read(Ring{{0, 0, 0}, {4, 0, 1}, {1, 3, 0}, {3, 3, 0}}),
+            PolygonKind::kNotPlanar);
+  ASSERT_EQ(reader.triangles().size(), 2U);
+  EXPECT_EQ(reader.triangles()[0], (RingTriangle{0, 1, 2}));
+  EXPECT_EQ(reader.triangles()[1], (RingTriangle{0, 2, 3}));
 }
 
 TEST(Polygon, NamesTheEdgesThatMeet) {
   PolygonReader reader;
   ASSERT_EQ(reader.Read(Ring{{0, 0, 0}, {4, 0, 0}, {1, 3, 0}, {3, 3, 0}}),
-            PolygonKind::kNotSimple);
+            PolygonKind::kNoPolygon);
   EXPECT_EQ(reader.contact().first_edge, 1);
   EXPECT_EQ(reader.contact().second_edge, 3);
 }
@@ -182,31 +189,7 @@ TEST(Polygon, ExponentsMayDifferByTwoThousandBits) {
   EXPECT_EQ(KindOf({{-huge, -huge, 0}, {huge, huge, 0}, {tiny, 0, 0}}),
             PolygonKind::kPlanar);
   EXPECT_EQ(KindOf({{0, 0, 0}, {huge, 0, 0}, {1, tiny, 0}, {2, -tiny, 0}}),
-            PolygonKind::kNotSimple);
-}
-
-TEST(Polygon, AgreesWithIntegerArithmeticOnRandomRings) {
-  std::mt19937_64 random(11);
-  std::array<int, 5> seen{};
-  PolygonReader reader;
-  for (int i = 0; i < 60000; ++i) {
-    const IntegerRing ring = RandomIntegerRing(
-        random, 3 + random() % 6, random() % 2 == 0 ? 3 : 7, random() % 2 == 0);
-    const IntegerPoint n = ring.Normal();
-    PolygonKind expected = PolygonKind::kNotSimple;
-    if (ring.OnOneLine()) {
-      expected = PolygonKind::kNoArea;
-    } else if (n.x == 0 && n.y == 0 && n.z == 0) {
-      expected = PolygonKind::kZeroNormal;
-    } else if (ring.IsSimple()) {
-      expected =
-          ring.IsPlanar() ? PolygonKind::kPlanar : PolygonKind::kNotPlanar;
-    }
-    ++seen[static_cast<std::size_t>(expected)];
-    ASSERT_EQ(reader.Read(ring.Points()), expected);
-  }
-  for (const int count : seen)
-    EXPECT_GT(count, 300);
+            PolygonKind::kNoPolygon);
 }
 
 }  // namespace

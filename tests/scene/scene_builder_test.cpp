@@ -110,7 +110,7 @@ TEST(SceneBuilder, FacesWithoutAreaAreNotedOnce) {
 
 TEST(SceneBuilder, NamesTheFaceOfEveryDefect) {
   SceneBuilder builder("s");
-  builder.AddFace({{0, 0, 0}, {1, 0, 0}});
+  builder.AddFace(kTriangle);
   builder.AddFace({{0, 0, 0}, {1, 0, 0}, {0, kInf, 0}}, {}, 7);
   builder.AddFace(kTriangle, {0, -1, 0});
   builder.AddFace(kTriangle, {0, 0, std::nan("")});
@@ -118,19 +118,79 @@ TEST(SceneBuilder, NamesTheFaceOfEveryDefect) {
   builder.AddFace({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}});
   const Result<Scene> result = builder.Build();
   EXPECT_FALSE(result.ok());
-  ASSERT_EQ(result.diagnostics.size(), 6U) << TextOf(result.diagnostics);
+  ASSERT_EQ(result.diagnostics.size(), 5U) << TextOf(result.diagnostics);
   const auto text = [&](std::size_t i) { return result.diagnostics[i].Text(); };
-  EXPECT_EQ(text(0),
-            "s: error: face 1: a face with 2 vertices, expected at least 3");
-  EXPECT_EQ(text(1).find("s:7: error: a coordinate is not finite"), 0U);
-  EXPECT_EQ(text(2).find("s: error: face 3: the emission is negative"), 0U);
-  EXPECT_EQ(text(3).find("s: error: face 4: the emission is negative"), 0U);
-  EXPECT_EQ(text(4).find("s: error: face 5: not a simple polygon: its edges "
-                         "2-4 and 5-1 meet"),
-            0U)
-      << text(4);
-  EXPECT_EQ(text(5).find("s: error: face 6: not a simple polygon: its Newell"),
-            0U);
+  EXPECT_EQ(text(0).find("s:7: error: a coordinate is not finite"), 0U);
+  EXPECT_EQ(text(1).find("s: error: face 3: the emission is negative"), 0U);
+  EXPECT_EQ(text(2).find("s: error: face 4: the emission is negative"), 0U);
+  EXPECT_EQ(
+      text(3).find("s: error: face 5: no polygon: its edges 2-4 and 5-1 meet"),
+      0U)
+      << text(3);
+  EXPECT_EQ(text(4).find("s: error: face 6: no polygon: its edges"), 0U);
+}
+
+TEST(SceneBuilder, LeavesOutWhatIsNoPolygonIfAsked) {
+  SceneBuilder builder("s");
+  builder.SetLenient(true);
+  for (int line = 1; line <= 12; ++line)
+    builder.AddFace({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}, {}, line);
+  builder.LeaveOutFace("too ugly");
+  builder.AddFace(kTriangle, {1, 2, 3});
+  const Result<Scene> result = builder.Build();
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(TextOf(result.diagnostics),
+            "s:1: note: 12 faces are left out: no polygon, the boundary "
+            "crosses itself (line 1, line 2, line 3, line 4, line 5, line 6, "
+            "line 7, line 8, line 9, line 10 and 2 more)\n"
+            "s: note: 1 face is left out: too ugly (face 13)\n");
+  const Scene& scene = *result.value;
+  ASSERT_EQ(scene.faces().size(), 14U);
+  EXPECT_EQ(scene.facets().size(), 1U);
+  EXPECT_EQ(scene.facets()[0].face, 13);
+  ASSERT_EQ(scene.left_out().size(), 2U);
+  EXPECT_EQ(scene.left_out()[0].numbers.size(), 12U);
+  EXPECT_EQ(scene.left_out()[1].reason, "too ugly");
+  EXPECT_EQ(scene.left_out()[1].numbers, std::vector<int>{13});
+}
+
+TEST(SceneBuilder, SpikesAreTakenAwayFirst) {
+  SceneBuilder builder;
+  // A spike out of a corner, and one on a spike.
+  builder.AddFace(
+      {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {6, 6, 0}, {4, 4, 0}, {0, 4, 0}});
+  builder.AddFace({{0, 0, 0},
+                   {1, 0, 0},
+                   {0, 1, 0},
+                   {2, 2, 9},
+                   {3, 3, 3},
+                   {2, 2, 9},
+                   {0, 1, 0}});
+  // Nothing but spikes.
+  builder.AddFace({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 0, 0}});
+  const Result<Scene> result = builder.Build();
+  ASSERT_TRUE(result.ok()) << TextOf(result.diagnostics);
+  EXPECT_EQ(TextOf(result.diagnostics),
+            "note: 1 face without area is ignored, first at face 3\n");
+  EXPECT_EQ(result.value->faces()[0].corner_count, 4);
+  EXPECT_EQ(result.value->faces()[1].corner_count, 3);
+  EXPECT_EQ(result.value->triangles().size(), 3U);
+}
+
+TEST(SceneBuilder, AFaceThatEmitsToBothSidesHasItsFacetsTwice) {
+  SceneBuilder builder;
+  builder.SetTwoSided(true);
+  builder.AddFace(kTriangle, {1, 1, 1});
+  builder.AddFace(kTriangle);
+  const Scene scene = *builder.Build().value;
+  ASSERT_EQ(scene.facets().size(), 3U);
+  EXPECT_EQ(scene.faces()[0].facet_count, 2);
+  EXPECT_FALSE(scene.facets()[0].is_back);
+  EXPECT_TRUE(scene.facets()[1].is_back);
+  EXPECT_EQ(scene.facets()[1].face, 0);
+  EXPECT_EQ(scene.triangles()[1].vertices[1], scene.triangles()[0].vertices[2]);
+  EXPECT_EQ(scene.faces()[1].first_facet, 2);
+  EXPECT_FALSE(scene.facets()[2].is_back);
 }
 
 TEST(SceneBuilder, GroupsHoldForTheFacesThatFollow) {
@@ -158,7 +218,7 @@ TEST(SceneBuilder, GroupsHoldForTheFacesThatFollow) {
 TEST(SceneBuilder, IsEmptyAfterBuild) {
   SceneBuilder builder("s");
   builder.SetGroup("a");
-  builder.AddFace({{0, 0, 0}});
+  builder.AddFace({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}});
   EXPECT_FALSE(builder.Build().ok());
   const Result<Scene> empty = builder.Build();
   ASSERT_TRUE(empty.ok());

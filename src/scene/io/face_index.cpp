@@ -33,33 +33,28 @@ std::optional<std::int64_t> ParseInteger(std::string_view word) {
 
 }  // namespace
 
-std::string_view NameOf(IndexKind kind) {
-  switch (kind) {
-    case IndexKind::kTexture:
-      return "texture vertex";
-    case IndexKind::kNormal:
-      return "normal";
-    case IndexKind::kVertex:
-      break;
+std::optional<Corner> ParseCorner(std::string_view word) {
+  const auto take_part = [&word] {
+    const std::string_view part = word.substr(0, word.find('/'));
+    word.remove_prefix(part.size());
+    return part;
+  };
+  Corner corner;
+  const std::optional<std::int64_t> vertex = ParseInteger(take_part());
+  if (!vertex) return std::nullopt;
+  corner.vertex = *vertex;
+  for (std::size_t kind = 1; kind < kIndexKinds.size() && !word.empty();
+       ++kind) {
+    word.remove_prefix(1);  // the slash
+    const std::string_view part = take_part();
+    corner.unused[kind] = ParseInteger(part);
+    const bool may_be_empty = kind == 1 && word.size() > 1;
+    corner.is_regular =
+        corner.is_regular &&
+        (part.empty() ? may_be_empty : corner.unused[kind].has_value());
   }
-  return "vertex";
-}
-
-std::optional<CornerIndices> ParseCorner(std::string_view word) {
-  CornerIndices indices;
-  for (std::size_t part = 0; part < indices.size(); ++part) {
-    const std::size_t slash = word.find('/');
-    const bool is_last = slash == std::string_view::npos;
-    const std::string_view digits = word.substr(0, slash);
-    const bool may_be_empty = part == 1 && !is_last;
-    if (!digits.empty() || !may_be_empty) {
-      indices[part] = ParseInteger(digits);
-      if (!indices[part]) return std::nullopt;
-    }
-    if (is_last) return indices;
-    word.remove_prefix(slash + 1);
-  }
-  return std::nullopt;  // a third slash
+  corner.is_regular = corner.is_regular && word.empty();
+  return corner;
 }
 
 }  // namespace truelux

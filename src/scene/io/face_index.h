@@ -17,15 +17,20 @@ enum class IndexKind { kVertex, kTexture, kNormal };
 inline constexpr std::array kIndexKinds{IndexKind::kVertex, IndexKind::kTexture,
                                         IndexKind::kNormal};
 
-/// "vertex", "texture vertex" or "normal".
-std::string_view NameOf(IndexKind kind);
+/// The indices of one corner as written. An index too large for its type is the
+/// largest of the type: out of any range.
+struct Corner {
+  std::int64_t vertex = 0;
+  /// By kind; that of the vertex is none. Nobody uses these, so that none of
+  /// them is required to be there or to be a number.
+  std::array<std::optional<std::int64_t>, 3> unused;
+  /// Whether the word is v, v/vt, v//vn or v/vt/vn.
+  bool is_regular = true;
+};
 
-/// The indices of one corner as written, by kind. An index too large for its
-/// type is the largest of the type: out of any range.
-using CornerIndices = std::array<std::optional<std::int64_t>, 3>;
-
-/// Nothing if the word has none of the four forms.
-std::optional<CornerIndices> ParseCorner(std::string_view word);
+/// Nothing if the word does not begin with an integer and then ends or goes on
+/// with a slash.
+std::optional<Corner> ParseCorner(std::string_view word);
 
 }  // namespace truelux
 

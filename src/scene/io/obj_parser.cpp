@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -14,6 +15,8 @@
 #include <vector>
 
 #include "scene/io/face_index.h"
+#include "scene/io/number_defect.h"
+#include "scene/io/quoted.h"
 #include "scene/io/statement.h"
 
 namespace truelux {
@@ -21,9 +24,18 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
+/// The text of the note about data that nobody uses.
+constexpr std::string_view kUnusedData =
+    "data that truelux does not use (vn, vt, vp, indices of them, what follows "
+    "x y z) is not as OBJ asks for";
+
+/// What ends the text of an error about a face.
+constexpr std::string_view kCure = " (--lenient leaves such faces out)";
+
 class ObjParser {
  public:
-  explicit ObjParser(DiagnosticList& diagnostics) : diagnostics_(diagnostics) {}
+  ObjParser(bool lenient, DiagnosticList& diagnostics)
+      : lenient_(lenient), diagnostics_(diagnostics) {}
 
   ObjContents Parse(std::string_view text) {
     StatementReader reader(text);
@@ -31,6 +43,7 @@ class ObjParser {
       Take(*statement);
     }
     CheckForwardIndices();
+    CheckVertices();
     return std::move(contents_);
   }
 
@@ -42,6 +55,13 @@ class ObjParser {
     std::size_t face = 0;
   };
 
+  /// A vertex without a position. It is an error only if a face uses it.
+  struct VertexDefect {
+    int vertex = 0;
+    int line = 0;
+    NumberDefect what;
+  };
+
   void Take(const Statement& statement) {
     const std::string_view keyword = statement.keyword;
     if (keyword == "v") {
@@ -49,13 +69,17 @@ class ObjParser {
     } else if (keyword == "f") {
       TakeFace(statement);
     } else if (keyword == "vn") {
-      TakeIgnoredNumbers(statement, IndexKind::kNormal, 3, 3);
+      TakeUnused(statement, 3, 3);
+      ++CountOf(IndexKind::kNormal);
     } else if (keyword == "vt") {
-      TakeIgnoredNumbers(statement, IndexKind::kTexture, 1, 3);
+      TakeUnused(statement, 1, 3);
+      ++CountOf(IndexKind::kTexture);
+    } else if (keyword == "vp") {
+      TakeUnused(statement, 1, 3);
     } else if (keyword == "usemtl") {
-      TakeReference(statement, contents_.materials);
+      TakeMaterial(statement);
     } else if (keyword == "mtllib") {
-      TakeReference(statement, contents_.libraries);
+      TakeLibrary(statement);
     } else if (keyword == "o") {
       object_ = statement.rest;
       NameGroup();
@@ -69,38 +93,37 @@ class ObjParser {
 
   void TakeVertex(const Statement& statement) {
     Point3 position{kNan, kNan, kNan};
-    const std::optional<Numbers> numbers =
-        ReadNumbers(statement.rest, statement.line, diagnostics_);
-    if (numbers) {
-      const std::size_t count = numbers->count;
-      if (count == 3 || count == 4 || count == 6) {
-        position = {numbers->values[0], numbers->values[1], numbers->values[2]};
-      } else {
-        diagnostics_.Error(statement.line,
-                           "missing or surplus coordinates: v has " +
-                               std::to_string(count) +
-                               " numbers, expected 3, 4 or 6");
+    const Numbers numbers = ReadNumbers(statement.rest);
+    const std::size_t count = numbers.count;
+    if (count >= 3) {
+      position = {numbers.values[0], numbers.values[1], numbers.values[2]};
+      if (!numbers.defect.empty() || count == 5 || count > 6) {
+        diagnostics_.CountNote(statement.line, kUnusedData);
+      } else if (count == 4 && numbers.values[3] != 1) {
+        diagnostics_.CountNote(
+            statement.line, "the weight w of a vertex is not 1 and is ignored");
       }
+    } else {
+      NumberDefect what =
+          numbers.defect.empty()
+              ? NumberDefect{"missing coordinates: v has " +
+                                 std::to_string(count) + " numbers, expected 3",
+                             false}
+              : DefectOfNumber(numbers.defect);
+      vertex_defects_.push_back({static_cast<int>(contents_.positions.size()),
+                                 statement.line, std::move(what)});
     }
     contents_.positions.push_back(position);
     ++CountOf(IndexKind::kVertex);
   }
 
-  void TakeIgnoredNumbers(const Statement& statement, IndexKind kind,
-                          std::size_t least, std::size_t most) {
-    const std::optional<Numbers> numbers =
-        ReadNumbers(statement.rest, statement.line, diagnostics_);
-    if (numbers && (numbers->count < least || numbers->count > most)) {
-      const std::string range =
-          (least < most ? std::to_string(least) + " to " : "") +
-          std::to_string(most);
-      diagnostics_.Error(
-          statement.line,
-          "missing or surplus coordinates: " + std::string(statement.keyword) +
-              " has " + std::to_string(numbers->count) + " numbers, expected " +
-              range);
+  void TakeUnused(const Statement& statement, std::size_t least,
+                  std::size_t most) {
+    const Numbers numbers = ReadNumbers(statement.rest);
+    if (!numbers.defect.empty() || numbers.count < least ||
+        numbers.count > most) {
+      diagnostics_.CountNote(statement.line, kUnusedData);
     }
-    ++CountOf(kind);
   }
 
   void TakeFace(const Statement& statement) {
@@ -110,53 +133,62 @@ class ObjParser {
     face.material = static_cast<int>(contents_.materials.size()) - 1;
     face.group = static_cast<int>(contents_.groups.size()) - 1;
     contents_.faces.push_back(face);
+    bool unused_is_odd = false;
     std::string_view rest = statement.rest;
-    while (!rest.empty())
-      TakeCorner(TakeWord(rest));
+    while (!rest.empty() && contents_.faces.back().defect == FaceDefect::kNone)
+      unused_is_odd = !TakeCorner(TakeWord(rest)) || unused_is_odd;
+    if (unused_is_odd) NoteUnused(contents_.faces.size() - 1);
     contents_.faces.back().corner_count =
         static_cast<int>(contents_.corners.size() - face.first_corner);
   }
 
-  void TakeCorner(std::string_view word) {
-    ObjFace& face = contents_.faces.back();
-    const std::optional<CornerIndices> corner = ParseCorner(word);
+  /// Whether the corner's texture and normal are as they should be.
+  bool TakeCorner(std::string_view word) {
+    const std::optional<Corner> corner = ParseCorner(word);
     if (!corner) {
-      face.usable = false;
-      diagnostics_.Error(face.line, Quoted(word) +
-                                        " is no vertex of a face, expected "
-                                        "integers as v, v/vt, v//vn or "
-                                        "v/vt/vn");
-      return;
+      ReportFace(contents_.faces.back(), FaceDefect::kNoIndex,
+                 DefectOfCorner(word));
+      return true;
     }
-    for (const IndexKind kind : kIndexKinds) {
-      const auto& index = (*corner)[static_cast<std::size_t>(kind)];
-      if (index) TakeIndex(kind, *index);
+    TakeVertexIndex(corner->vertex);
+    bool is_regular = corner->is_regular;
+    for (const IndexKind kind : {IndexKind::kTexture, IndexKind::kNormal}) {
+      const auto& index = corner->unused[static_cast<std::size_t>(kind)];
+      if (index) is_regular = TakeUnusedIndex(kind, *index) && is_regular;
     }
+    return is_regular;
   }
 
-  void TakeIndex(IndexKind kind, std::int64_t index) {
-    ObjFace& face = contents_.faces.back();
-    const std::int64_t count = CountOf(kind);
+  void TakeVertexIndex(std::int64_t index) {
+    const std::int64_t count = CountOf(IndexKind::kVertex);
     if (index == 0 || index < -count) {
-      face.usable = false;
-      diagnostics_.Error(face.line, OutOfRange(kind, index, count));
+      ReportFace(contents_.faces.back(), FaceDefect::kOutOfRange,
+                 {OutOfRange(index, count), false});
       return;
     }
     if (index > count) {
-      forward_.push_back({kind, index, contents_.faces.size() - 1});
+      forward_.push_back(
+          {IndexKind::kVertex, index, contents_.faces.size() - 1});
     }
-    if (kind != IndexKind::kVertex) return;
     const std::int64_t position = index > 0 ? index - 1 : count + index;
     contents_.corners.push_back(static_cast<int>(
         std::min<std::int64_t>(position, std::numeric_limits<int>::max())));
   }
 
-  static std::string OutOfRange(IndexKind kind, std::int64_t index,
-                                std::int64_t count) {
+  /// Whether an index is in range so far as is known.
+  bool TakeUnusedIndex(IndexKind kind, std::int64_t index) {
+    const std::int64_t count = CountOf(kind);
+    if (index > count) {
+      forward_.push_back({kind, index, contents_.faces.size() - 1});
+    }
+    return index != 0 && index >= -count;
+  }
+
+  static std::string OutOfRange(std::int64_t index, std::int64_t count) {
     // A number that no index can be is not printed as another one.
     using Limits = std::numeric_limits<std::int64_t>;
     const bool is_huge = index == Limits::max() || index == Limits::min();
-    std::string what = std::string(NameOf(kind)) + " index";
+    std::string what = "vertex index";
     if (!is_huge) what.append(" ").append(std::to_string(index));
     if (index == 0) return what + ", expected 1 or more, or less than 0";
     if (index > 0) {
@@ -172,20 +204,77 @@ class ObjParser {
       const std::int64_t count = CountOf(forward.kind);
       if (forward.index <= count) continue;
       ObjFace& face = contents_.faces[forward.face];
-      face.usable = false;
-      diagnostics_.Error(face.line,
-                         OutOfRange(forward.kind, forward.index, count));
+      if (forward.kind == IndexKind::kVertex) {
+        ReportFace(face, FaceDefect::kOutOfRange,
+                   {OutOfRange(forward.index, count), false});
+      } else {
+        NoteUnused(forward.face);
+      }
     }
   }
 
-  void TakeReference(const Statement& statement,
-                     std::vector<ObjReference>& references) {
+  /// Notes a face whose texture or normals are odd; one line is one line.
+  void NoteUnused(std::size_t face) {
+    is_noted_.resize(contents_.faces.size());
+    if (is_noted_[face]) return;
+    is_noted_[face] = true;
+    diagnostics_.CountNote(contents_.faces[face].line, kUnusedData);
+  }
+
+  /// Takes the first defect of a face; one line is told of each.
+  void ReportFace(ObjFace& face, FaceDefect defect, NumberDefect what) {
+    if (face.defect != FaceDefect::kNone) return;
+    face.defect = defect;
+    if (lenient_) return;
+    what.text += kCure;
+    what.Report(face.line, diagnostics_);
+  }
+
+  /// Finds which of the vertices without a position are used.
+  void CheckVertices() {
+    if (vertex_defects_.empty()) return;
+    std::vector<bool> is_used(contents_.positions.size());
+    for (ObjFace& face : contents_.faces) {
+      if (face.defect != FaceDefect::kNone) continue;
+      for (int i = 0; i < face.corner_count; ++i) {
+        const auto vertex = static_cast<std::size_t>(
+            contents_.corners[face.first_corner + static_cast<std::size_t>(i)]);
+        if (!std::isnan(contents_.positions[vertex].x)) continue;
+        is_used[vertex] = true;
+        face.defect = FaceDefect::kNoPosition;
+      }
+    }
+    for (VertexDefect& defect : vertex_defects_) {
+      if (!is_used[static_cast<std::size_t>(defect.vertex)]) {
+        diagnostics_.CountNote(defect.line,
+                               "the coordinates of a vertex that no face uses "
+                               "are no numbers");
+      } else if (!lenient_) {
+        defect.what.text += kCure;
+        defect.what.Report(defect.line, diagnostics_);
+      }
+    }
+  }
+
+  void TakeMaterial(const Statement& statement) {
     if (statement.rest.empty()) {
-      diagnostics_.Error(statement.line,
-                         std::string(statement.keyword) + " without a name");
+      diagnostics_.CountNote(
+          statement.line,
+          "usemtl without a name: the faces that follow have no material and "
+          "only block");
+    }
+    contents_.materials.push_back(
+        {std::string(statement.rest), statement.line});
+  }
+
+  void TakeLibrary(const Statement& statement) {
+    if (statement.rest.empty()) {
+      diagnostics_.CountNote(statement.line,
+                             "mtllib without a name is ignored");
       return;
     }
-    references.push_back({std::string(statement.rest), statement.line});
+    contents_.libraries.push_back(
+        {std::string(statement.rest), statement.line});
   }
 
   void NameGroup() {
@@ -205,10 +294,13 @@ class ObjParser {
     return counts_[static_cast<std::size_t>(kind)];
   }
 
+  bool lenient_;
   DiagnosticList& diagnostics_;
   ObjContents contents_;
   std::array<std::int64_t, 3> counts_{};
   std::vector<ForwardIndex> forward_;
+  std::vector<VertexDefect> vertex_defects_;
+  std::vector<bool> is_noted_;  ///< per face, so far as there was a reason
   std::string object_;
   std::string group_;
   std::set<std::string, std::less<>> noted_;
@@ -216,8 +308,23 @@ class ObjParser {
 
 }  // namespace
 
-ObjContents ParseObj(std::string_view text, DiagnosticList& diagnostics) {
-  return ObjParser(diagnostics).Parse(text);
+std::string_view Name(FaceDefect defect) {
+  switch (defect) {
+    case FaceDefect::kNoIndex:
+      return "a vertex that is no integer";
+    case FaceDefect::kOutOfRange:
+      return "a vertex that does not exist";
+    case FaceDefect::kNoPosition:
+      return "a vertex whose coordinates are no numbers";
+    case FaceDefect::kNone:
+      break;
+  }
+  return "none";
+}
+
+ObjContents ParseObj(std::string_view text, bool lenient,
+                     DiagnosticList& diagnostics) {
+  return ObjParser(lenient, diagnostics).Parse(text);
 }
 
 }  // namespace truelux

@@ -5,6 +5,7 @@
 #define TRUELUX_SCENE_IO_OBJ_PARSER_H_
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,34 +16,47 @@
 
 namespace truelux {
 
+/// Why a face cannot be taken.
+enum class FaceDefect : std::uint8_t {
+  kNone,
+  kNoIndex,     ///< "a vertex that is no integer": of a corner
+  kOutOfRange,  ///< "a vertex that does not exist"
+  kNoPosition,  ///< "a vertex whose coordinates are no numbers"
+};
+
+/// The words in quotes above.
+std::string_view Name(FaceDefect defect);
+
 /// One f statement.
 struct ObjFace {
   std::size_t first_corner = 0;  ///< into ObjContents::corners
   int corner_count = 0;
   int line = 0;
-  int material = -1;   ///< into ObjContents::materials; -1: no usemtl so far
-  int group = 0;       ///< into ObjContents::groups
-  bool usable = true;  ///< false if a defect of it was reported
+  int material = -1;  ///< into ObjContents::materials; -1: no usemtl so far
+  int group = 0;      ///< into ObjContents::groups
+  FaceDefect defect = FaceDefect::kNone;
 };
 
 /// A usemtl or mtllib statement.
 struct ObjReference {
-  std::string name;  ///< the rest of the line
+  std::string name;  ///< the rest of the line; usemtl: "" is no material
   int line = 0;
 };
 
 struct ObjContents {
-  std::vector<Point3> positions;  ///< NaN where a defect was reported
-  std::vector<int> corners;       ///< into positions; in range if usable
+  std::vector<Point3> positions;  ///< NaN where there is a defect
+  std::vector<int> corners;       ///< into positions; in range if no defect
   std::vector<ObjFace> faces;
   std::vector<ObjReference> materials;
   std::vector<ObjReference> libraries;
   std::vector<std::string> groups{""};  ///< "object/group"; may repeat
 };
 
-/// Defects, and one note for each kind of statement that is ignored, go to
-/// diagnostics.
-ObjContents ParseObj(std::string_view text, DiagnosticList& diagnostics);
+/// Defects, and one note for each kind of statement or data that is ignored, go
+/// to diagnostics. lenient: defects of faces, and of the vertices that faces
+/// use, are no errors; the faces have them in ObjFace::defect only.
+ObjContents ParseObj(std::string_view text, bool lenient,
+                     DiagnosticList& diagnostics);
 
 }  // namespace truelux
 

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstddef>
+#include <system_error>
 
 namespace truelux {
 namespace {
@@ -39,6 +41,13 @@ std::string Quoted(std::string_view word) {
     AppendVisibly(c, quoted);
   quoted.append(size < word.size() ? "...'" : "'");
   return quoted;
+}
+
+std::string NumberInText(double value) {
+  std::array<char, 32> text{};
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), error == std::errc() ? end : text.data()};
 }
 
 }  // namespace truelux

@@ -14,6 +14,9 @@ namespace truelux {
 /// characters as \xHH.
 std::string Quoted(std::string_view word);
 
+/// The shortest decimal that reads back to the same number, for messages.
+std::string NumberInText(double value);
+
 }  // namespace truelux
 
 #endif  // TRUELUX_SCENE_IO_QUOTED_H_

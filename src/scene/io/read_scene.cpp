@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/io/read_scene.h"
 
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -11,136 +10,90 @@
 #include <utility>
 #include <vector>
 
-#include "truelux/io.h"
-
 #include "scene/diagnostic_list.h"
+#include "scene/io/face_material.h"
+#include "scene/io/library_search.h"
 #include "scene/io/material_library.h"
 #include "scene/io/obj_parser.h"
+#include "scene/io/quoted.h"
 #include "scene/io/statement.h"
 
 namespace truelux {
 namespace {
 
-/// Whether a file is text, after reporting that it is not.
-bool IsText(const TextFile& file, DiagnosticList& diagnostics) {
-  const std::optional<BinaryByte> byte = FindBinaryByte(file.text);
-  if (!byte) return true;
-  diagnostics.Error(byte->line, "binary data (a byte " +
-                                    std::to_string(byte->value) +
-                                    "), expected text");
-  return false;
+/// The text of a file, after reporting why there is none.
+std::optional<std::string_view> TextOf(const TextFile& file, std::string& why,
+                                       int& line) {
+  const std::string_view text = WithoutTail(file.text);
+  const std::optional<TextDefect> defect = FindTextDefect(text);
+  if (!defect) return text;
+  why = defect->what;
+  line = defect->line;
+  return std::nullopt;
 }
 
-/// The MTL files of one OBJ.
-class LibraryLoader {
- public:
-  LibraryLoader(const FileOpener& open, std::filesystem::path folder,
-                DiagnosticList& obj_diagnostics)
-      : open_(open),
-        folder_(std::move(folder)),
-        obj_diagnostics_(obj_diagnostics) {}
-
-  /// One mtllib statement: a name, or several names with blanks between.
-  void Load(const ObjReference& reference) {
-    if (TryLoad(reference.name, reference.line)) return;
-    std::vector<std::string> missing;
-    std::string_view rest = reference.name;
-    std::size_t count = 0;
-    while (!rest.empty()) {
-      const std::string name(TakeWord(rest));
-      if (!TryLoad(name, reference.line)) missing.push_back(name);
-      ++count;
-    }
-    // A single name with blanks is likelier than several that all are missing.
-    if (missing.size() == count) missing = {reference.name};
-    for (const std::string& name : missing) {
-      ReportUnread(name, "it does not exist", reference.line);
-    }
-  }
-
-  [[nodiscard]] const MaterialLibrary& library() const { return library_; }
-
-  /// Whether all files could be read.
-  [[nodiscard]] bool complete() const { return complete_; }
-
-  [[nodiscard]] const std::vector<DiagnosticList>& diagnostics() const {
-    return diagnostics_;
-  }
-
- private:
-  /// Returns false if there is no such file. A file named twice, be it by
-  /// "a.mtl" and "./a.mtl", is read once.
-  bool TryLoad(const std::string& name, int line) {
-    const std::filesystem::path path = folder_ / name;
-    if (loaded_.contains(path.lexically_normal())) return true;
-    const TextFile file = open_(path);
-    if (file.status == TextFile::Status::kMissing) return false;
-    loaded_.insert(path.lexically_normal());
-    if (file.status == TextFile::Status::kUnreadable) {
-      ReportUnread(name, file.reason, line);
-      return true;
-    }
-    DiagnosticList& diagnostics = diagnostics_.emplace_back(path.string());
-    if (IsText(file, diagnostics)) {
-      library_.Read(file.text, diagnostics);
-    } else {
-      complete_ = false;
-    }
-    return true;
-  }
-
-  void ReportUnread(const std::string& name, const std::string& reason,
-                    int line) {
-    complete_ = false;
-    obj_diagnostics_.Error(line, "MTL file '" + (folder_ / name).string() +
-                                     "' cannot be read: " + reason);
-  }
-
-  const FileOpener& open_;
-  std::filesystem::path folder_;
-  DiagnosticList& obj_diagnostics_;
-  MaterialLibrary library_;
-  bool complete_ = true;
-  std::set<std::filesystem::path> loaded_;
-  std::vector<DiagnosticList> diagnostics_;
-};
-
-/// The emission for each usemtl statement.
-std::vector<Rgb> ResolveMaterials(const std::vector<ObjReference>& references,
-                                  const LibraryLoader& loader,
-                                  DiagnosticList& diagnostics) {
-  std::vector<Rgb> emissions;
+/// Reads the MTL files that an OBJ names. What is wrong with the files
+/// themselves is a note: only a material that is missing is an error.
+void LoadLibraries(const std::vector<ObjReference>& references,
+                   LibrarySearch& search, MaterialLibrary& materials,
+                   DiagnosticList& diagnostics) {
+  std::set<std::filesystem::path> loaded;
+  std::set<std::string> looked_for;
   for (const ObjReference& reference : references) {
-    const Material* material = loader.library().Find(reference.name);
-    emissions.push_back(material != nullptr ? material->emission : Rgb{});
-    // What a file that cannot be read defines is not known.
-    if (material != nullptr || !loader.complete()) continue;
-    diagnostics.Error(reference.line,
-                      "unknown material " + Quoted(reference.name) +
-                          ", expected one that an MTL file defines");
+    if (!looked_for.insert(reference.name).second) continue;
+    std::vector<std::string> missing;
+    for (const FoundLibrary& library : search.Find(reference.name, missing)) {
+      const auto note = [&](const std::string& what) {
+        diagnostics.Note(reference.line,
+                         "MTL file " + Quoted(library.name) + ' ' + what);
+      };
+      if (!loaded.insert(library.path.lexically_normal()).second) continue;
+      if (!library.is_literal) {
+        note("does not exist by this name; " + Quoted(library.path.string()) +
+             " is read for it");
+      }
+      const TextFile& file = search.Open(library.path);
+      if (file.status != TextFile::Status::kRead) {
+        note("cannot be read: " + file.reason);
+        continue;
+      }
+      std::string why;
+      int line = 0;
+      if (const auto text = TextOf(file, why, line)) {
+        materials.Read(*text, library.path.string());
+      } else {
+        note("cannot be read: " + why);
+      }
+    }
+    for (const std::string& name : missing) {
+      diagnostics.Note(reference.line,
+                       "MTL file " + Quoted(name) + " does not exist");
+    }
   }
-  return emissions;
 }
 
-bool HasDefectiveVertex(const ObjContents& obj, const ObjFace& face) {
-  for (int i = 0; i < face.corner_count; ++i) {
-    const auto corner = face.first_corner + static_cast<std::size_t>(i);
-    const auto vertex = static_cast<std::size_t>(obj.corners[corner]);
-    const Point3& position = obj.positions[vertex];
-    if (std::isnan(position.x)) return true;
-  }
-  return false;
-}
-
-/// Adds every face that no defect was reported of so far.
-void AddFaces(const ObjContents& obj, const std::vector<Rgb>& emissions,
+/// Adds the faces. One that a defect was reported of is left out; so it keeps
+/// its number, if defects are no errors.
+void AddFaces(const ObjContents& obj,
+              const std::vector<FaceMaterial>& materials,
               SceneBuilder& builder) {
+  const FaceMaterial none;
   int group = 0;
   for (const ObjFace& face : obj.faces) {
-    if (!face.usable || HasDefectiveVertex(obj, face)) continue;
     if (face.group != group) {
       group = face.group;
       builder.SetGroup(obj.groups[static_cast<std::size_t>(group)]);
+    }
+    const FaceMaterial& material =
+        face.material < 0 ? none
+                          : materials[static_cast<std::size_t>(face.material)];
+    if (face.defect != FaceDefect::kNone) {
+      builder.LeaveOutFace(Name(face.defect), face.line);
+      continue;
+    }
+    if (!material.left_out.empty()) {
+      builder.LeaveOutFace(material.left_out, face.line);
+      continue;
     }
     const auto begin =
         obj.corners.begin() + static_cast<std::ptrdiff_t>(face.first_corner);
@@ -149,28 +102,30 @@ void AddFaces(const ObjContents& obj, const std::vector<Rgb>& emissions,
     for (auto corner = begin; corner != begin + face.corner_count; ++corner) {
       ring.push_back(obj.positions[static_cast<std::size_t>(*corner)]);
     }
-    const Rgb emission =
-        face.material < 0 ? Rgb{}
-                          : emissions[static_cast<std::size_t>(face.material)];
-    builder.AddFace(std::move(ring), emission, face.line);
+    builder.AddFace(std::move(ring), material.emission, face.line);
   }
 }
 
 /// The scene of an OBJ text; nothing if the lists hold an error.
-Result<Scene> BuildScene(const ObjContents& obj, const LibraryLoader& loader,
+Result<Scene> BuildScene(const ObjContents& obj,
+                         const std::vector<FaceMaterial>& materials,
+                         const MaterialLibrary& library,
+                         const ReadOptions& options,
                          DiagnosticList& diagnostics) {
   SceneBuilder builder(diagnostics.file());
-  AddFaces(obj, ResolveMaterials(obj.materials, loader, diagnostics), builder);
+  builder.SetLenient(options.lenient);
+  builder.SetTwoSided(options.two_sided);
+  AddFaces(obj, materials, builder);
   Result<Scene> result = builder.Build();
+  // What the parser reported of faces is not reported again.
+  const bool parser_failed = diagnostics.has_errors();
   for (Diagnostic& d : result.diagnostics) {
-    // If every face was rejected, the scene is not also reported as empty.
-    const bool is_empty = result.ok() && result.value->faces().empty();
-    if (is_empty && !obj.faces.empty()) break;
+    if (parser_failed && d.severity == Severity::kNote) continue;
     diagnostics.Add(std::move(d));
   }
   result.diagnostics = diagnostics.Sorted();
   bool has_errors = diagnostics.has_errors();
-  for (const DiagnosticList& list : loader.diagnostics()) {
+  for (const DiagnosticList& list : library.diagnostics()) {
     has_errors = has_errors || list.has_errors();
     const std::vector<Diagnostic> sorted = list.Sorted();
     result.diagnostics.insert(result.diagnostics.end(), sorted.begin(),
@@ -180,37 +135,67 @@ Result<Scene> BuildScene(const ObjContents& obj, const LibraryLoader& loader,
   return result;
 }
 
+/// Whether an OBJ text without faces is an MTL file.
+bool LooksLikeMaterials(std::string_view text) {
+  StatementReader reader(text);
+  while (const std::optional<Statement> statement = reader.Next()) {
+    if (statement->keyword == "newmtl") return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-Result<Scene> ReadSceneWith(const FileOpener& open,
-                            const std::filesystem::path& obj) {
+Result<Scene> ReadSceneWith(const SceneFiles& files,
+                            const std::filesystem::path& obj,
+                            const ReadOptions& options) {
   DiagnosticList diagnostics(obj.string());
-  const TextFile file = open(obj);
+  const TextFile file = files.open(obj);
   if (file.status != TextFile::Status::kRead) {
     diagnostics.Error(0, "cannot be read: " + file.reason);
-  }
-  if (diagnostics.has_errors() || !IsText(file, diagnostics)) {
     return {std::nullopt, diagnostics.Sorted()};
   }
-  const ObjContents contents = ParseObj(file.text, diagnostics);
-  LibraryLoader loader(open, obj.parent_path(), diagnostics);
-  for (const ObjReference& library : contents.libraries)
-    loader.Load(library);
-  return BuildScene(contents, loader, diagnostics);
+  std::string why;
+  int line = 0;
+  const std::optional<std::string_view> text = TextOf(file, why, line);
+  if (!text) {
+    diagnostics.Error(line, why);
+    return {std::nullopt, diagnostics.Sorted()};
+  }
+  const ObjContents contents = ParseObj(*text, options.lenient, diagnostics);
+  if (contents.faces.empty() && contents.positions.empty() &&
+      LooksLikeMaterials(*text)) {
+    DiagnosticList only(obj.string());
+    only.Error(0,
+               "this is an MTL file (it has newmtl and neither v nor f), "
+               "expected the OBJ file that names it");
+    return {std::nullopt, only.Sorted()};
+  }
+  LibrarySearch search(files, obj.parent_path());
+  MaterialLibrary library;
+  LoadLibraries(contents.libraries, search, library, diagnostics);
+  MaterialResolver resolver(contents, library, options, diagnostics);
+  library.Report(
+      [&resolver](const std::string& name) { return resolver.IsUsed(name); });
+  const std::vector<FaceMaterial> materials = resolver.Resolve();
+  return BuildScene(contents, materials, library, options, diagnostics);
 }
 
-SceneAndFiles ReadSceneAndFiles(const std::filesystem::path& obj) {
-  std::vector<std::filesystem::path> files;
-  const FileOpener open = [&files](const std::filesystem::path& path) {
-    files.push_back(path);
-    return ReadTextFile(path);
-  };
-  Result<Scene> scene = ReadSceneWith(open, obj);
-  return {std::move(scene), std::move(files)};
+SceneAndFiles ReadSceneAndFiles(const std::filesystem::path& obj,
+                                const ReadOptions& options) {
+  std::vector<std::filesystem::path> paths;
+  const SceneFiles files{[&paths](const std::filesystem::path& path) {
+                           paths.push_back(path);
+                           return ReadTextFile(path);
+                         },
+                         ListFolder};
+  Result<Scene> scene = ReadSceneWith(files, obj, options);
+  return {std::move(scene), std::move(paths)};
 }
 
-Result<Scene> ReadScene(const std::filesystem::path& obj) {
-  return ReadSceneWith(ReadTextFile, obj);
+Result<Scene> ReadScene(const std::filesystem::path& obj,
+                        const ReadOptions& options) {
+  return ReadSceneWith({ReadTextFile, ListFolder}, obj, options);
 }
 
 }  // namespace truelux

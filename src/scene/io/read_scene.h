@@ -8,16 +8,18 @@
 #include <vector>
 
 #include "truelux/diagnostics.h"
+#include "truelux/io.h"
 #include "truelux/scene.h"
 
 #include "scene/io/text_file.h"
 
 namespace truelux {
 
-/// ReadScene with every file taken from `open`. MTL files are asked for by
-/// their names in the OBJ, relative to its folder.
-Result<Scene> ReadSceneWith(const FileOpener& open,
-                            const std::filesystem::path& obj);
+/// ReadScene with every file taken from `files`. MTL files are asked for by
+/// their names in the OBJ, relative to its folder (library_search.h).
+Result<Scene> ReadSceneWith(const SceneFiles& files,
+                            const std::filesystem::path& obj,
+                            const ReadOptions& options = {});
 
 /// What ReadScene gives, and which files it asked the file system for.
 struct SceneAndFiles {
@@ -25,7 +27,8 @@ struct SceneAndFiles {
   std::vector<std::filesystem::path> files;  ///< in that order, `obj` first
 };
 
-SceneAndFiles ReadSceneAndFiles(const std::filesystem::path& obj);
+SceneAndFiles ReadSceneAndFiles(const std::filesystem::path& obj,
+                                const ReadOptions& options = {});
 
 }  // namespace truelux
 

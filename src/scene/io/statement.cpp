@@ -97,17 +97,14 @@ std::string_view TakeWord(std::string_view& text) {
   return word;
 }
 
-std::optional<Numbers> ReadNumbers(std::string_view text, int line,
-                                   DiagnosticList& diagnostics) {
+Numbers ReadNumbers(std::string_view text) {
   Numbers numbers;
   while (!text.empty()) {
     const std::string_view word = TakeWord(text);
     const std::optional<double> value = ParseNumber(word);
     if (!value) {
-      diagnostics.Error(line, Quoted(word) +
-                                  " is no number, expected a finite decimal "
-                                  "number within binary64's range");
-      return std::nullopt;
+      numbers.defect = word;
+      break;
     }
     if (numbers.count < numbers.values.size()) {
       numbers.values[numbers.count] = *value;

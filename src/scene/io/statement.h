@@ -10,9 +10,6 @@
 #include <string>
 #include <string_view>
 
-#include "scene/diagnostic_list.h"
-#include "scene/io/quoted.h"
-
 namespace truelux {
 
 /// A keyword and what follows it, without blanks around and without comment.
@@ -49,11 +46,11 @@ std::string_view TakeWord(std::string_view& text);
 struct Numbers {
   std::array<double, 6> values{};
   std::size_t count = 0;
+  std::string_view defect;  ///< the first word that is no number; ends them
 };
 
-/// All words of a text as numbers. Reports the first that is none.
-std::optional<Numbers> ReadNumbers(std::string_view text, int line,
-                                   DiagnosticList& diagnostics);
+/// The words of a text as numbers.
+Numbers ReadNumbers(std::string_view text);
 
 }  // namespace truelux
 

@@ -12,6 +12,9 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
+
+#include "base/utf16.h"
 
 namespace truelux {
 namespace {
@@ -30,6 +33,10 @@ TextFile Failure(int error) {
 bool IsBinary(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return (byte < 0x20 && !(byte >= '\t' && byte <= '\r')) || byte == 0x7F;
+}
+
+bool IsSpace(char c) {
+  return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
 }  // namespace
@@ -54,11 +61,39 @@ TextFile ReadTextFile(const std::filesystem::path& path) {
   return result;
 }
 
-std::optional<BinaryByte> FindBinaryByte(std::string_view text) {
+std::vector<std::string> ListFolder(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  std::filesystem::directory_iterator entry(folder.empty() ? "." : folder,
+                                            error);
+  while (!error && entry != std::filesystem::directory_iterator()) {
+    names.push_back(entry->path().filename().string());
+    entry.increment(error);
+  }
+  return names;
+}
+
+std::string_view WithoutTail(std::string_view text) {
+  const auto last = std::find_if_not(text.rbegin(), text.rend(), [](char c) {
+    return IsBinary(c) || IsSpace(c);
+  });
+  const auto size = static_cast<std::size_t>(text.rend() - last);
+  const std::string_view tail = text.substr(size);
+  // Without control characters there is nothing to take away.
+  return std::ranges::none_of(tail, IsBinary) ? text : text.substr(0, size);
+}
+
+std::optional<TextDefect> FindTextDefect(std::string_view text) {
+  if (LooksLikeUtf16(text)) {
+    return TextDefect{0, "looks like UTF-16, expected UTF-8: save it as UTF-8"};
+  }
   const auto found = std::ranges::find_if(text, IsBinary);
   if (found == text.end()) return std::nullopt;
   const auto line = 1 + std::count(text.begin(), found, '\n');
-  return BinaryByte{static_cast<int>(line), static_cast<unsigned char>(*found)};
+  return TextDefect{static_cast<int>(line),
+                    "binary data (a byte " +
+                        std::to_string(static_cast<unsigned char>(*found)) +
+                        "), expected text"};
 }
 
 }  // namespace truelux

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace truelux {
 
@@ -22,17 +23,34 @@ struct TextFile {
 /// Whatever turns a path into a text: the file system, or a test.
 using FileOpener = std::function<TextFile(const std::filesystem::path&)>;
 
-TextFile ReadTextFile(const std::filesystem::path& path);
+/// The names of the files and folders in a folder, in any order; none if it
+/// cannot be looked into.
+using FolderLister =
+    std::function<std::vector<std::string>(const std::filesystem::path&)>;
 
-/// A control character that no text file has.
-struct BinaryByte {
-  int line = 0;
-  int value = 0;
+/// The file system as far as a scene needs it, or a test's.
+struct SceneFiles {
+  FileOpener open;
+  FolderLister list;
 };
 
-/// The first one of a text, if there is any. Blanks, ends of lines and form
-/// feeds are text, and so are all bytes from 128 on (UTF-8, Latin-1, ...).
-std::optional<BinaryByte> FindBinaryByte(std::string_view text);
+TextFile ReadTextFile(const std::filesystem::path& path);
+std::vector<std::string> ListFolder(const std::filesystem::path& folder);
+
+/// A text without the control characters behind its last statement (NUL, ^Z):
+/// some programs end a file, or fill its last block, with them.
+std::string_view WithoutTail(std::string_view text);
+
+/// Why some bytes are no text.
+struct TextDefect {
+  int line = 0;
+  std::string what;
+};
+
+/// Nothing if the bytes are a text. A control character is none; blanks, ends
+/// of lines and form feeds are, and so are all bytes from 128 on (UTF-8,
+/// Latin-1, ...).
+std::optional<TextDefect> FindTextDefect(std::string_view text);
 
 }  // namespace truelux
 

@@ -84,10 +84,11 @@ TEST(ReadScene, TheFilesOfASceneAreTold) {
 TEST(ReadScene, DefectsOfAMaterialFileNameItAsTheUserWould) {
   const Result<Scene> result = ReadSceneFrom(
       {{"./in/a.obj", std::string("mtllib a.mtl\n").append(kFace)},
-       {"./in/a.mtl", "newmtl lamp\nKe 1\n"}},
+       {"./in/a.mtl", "newmtl lamp\nKe 1 2\n"}},
       "./in/a.obj");
   EXPECT_EQ(TextOf(result.diagnostics),
-            "./in/a.mtl:2: error: Ke has 1 numbers, expected 3\n");
+            "./in/a.mtl:2: error: Ke has 2 numbers, expected 3, or 1 for all "
+            "channels\n");
 }
 
 TEST(ReadScene, SeveralMaterialFilesMayBeNamed) {
@@ -124,36 +125,75 @@ TEST(ReadScene, OnlyTheMissingOneOfSeveralMaterialFilesIsReported) {
        {"a.mtl", kLamp}},
       "a.obj");
   EXPECT_EQ(TextOf(result.diagnostics),
-            "a.obj:1: error: MTL file 'b.mtl' cannot be read: it does not "
-            "exist\n");
+            "a.obj:1: note: MTL file 'b.mtl' does not exist\n");
 }
 
-TEST(ReadScene, AMissingMaterialFileMakesNoMaterialUnknown) {
-  const Result<Scene> result = ReadSceneFrom(
+TEST(ReadScene, AMissingMaterialFileMattersIfAMaterialIsUsed) {
+  const Result<Scene> used = ReadSceneFrom(
       {{"a.obj", std::string("mtllib a.mtl\n").append(kFace)}}, "a.obj");
-  EXPECT_EQ(result.diagnostics.size(), 1U) << TextOf(result.diagnostics);
+  EXPECT_EQ(TextOf(used.diagnostics),
+            "a.obj:1: note: MTL file 'a.mtl' does not exist\n"
+            "a.obj:5: error: unknown material 'lamp', expected one that an MTL "
+            "file defines (--lenient takes its faces as blockers)\n");
+  const Result<Scene> unused = ReadSceneFrom(
+      {{"a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}},
+      "a.obj");
+  EXPECT_TRUE(unused.ok());
+  EXPECT_EQ(TextOf(unused.diagnostics),
+            "a.obj:1: note: MTL file 'a.mtl' does not exist\n");
 }
 
-TEST(ReadScene, ABinaryMaterialFileIsOneError) {
+TEST(ReadScene, WhatIsNoTextIsSaid) {
+  const std::string obj = std::string("mtllib a.mtl\n").append(kFace);
+  EXPECT_EQ(TextOf(ReadSceneFrom({{"a.obj", obj},
+                                  {"a.mtl", std::string("newmtl a\n\1\2\n3")}},
+                                 "a.obj")
+                       .diagnostics),
+            "a.obj:1: note: MTL file 'a.mtl' cannot be read: binary data (a "
+            "byte 1), expected text\n"
+            "a.obj:5: error: unknown material 'lamp', expected one that an MTL "
+            "file defines (--lenient takes its faces as blockers)\n");
+  std::string wide;
+  for (const char c : obj)
+    wide.append({c, '\0'});
+  const std::string says =
+      "a.obj: error: looks like UTF-16, expected UTF-8: save it as UTF-8\n";
+  EXPECT_EQ(TextOf(ReadSceneFrom({{"a.obj", wide}}, "a.obj").diagnostics),
+            says);
+  EXPECT_EQ(
+      TextOf(
+          ReadSceneFrom({{"a.obj", "\xFF\xFE" + wide}}, "a.obj").diagnostics),
+      says);
+  EXPECT_EQ(
+      TextOf(ReadSceneFrom({{"a.obj", std::string("\xFE\xFF\0v", 4)}}, "a.obj")
+                 .diagnostics),
+      says);
+  EXPECT_EQ(TextOf(ReadSceneFrom({{"a.mtl", kLamp}}, "a.mtl").diagnostics),
+            "a.mtl: error: this is an MTL file (it has newmtl and neither v "
+            "nor f), expected the OBJ file that names it\n");
+}
+
+TEST(ReadScene, ControlCharactersBehindTheEndAreIgnored) {
+  const std::string obj = std::string("mtllib a.mtl\n").append(kFace);
   const Result<Scene> result =
-      ReadSceneFrom({{"a.obj", std::string("mtllib a.mtl\n").append(kFace)},
-                     {"a.mtl", std::string("newmtl a\n\1\2\3")}},
+      ReadSceneFrom({{"a.obj", obj + "\x1A\n" + std::string(100, '\0')},
+                     {"a.mtl", std::string(kLamp) + "\x1A"}},
                     "a.obj");
-  EXPECT_EQ(TextOf(result.diagnostics),
-            "a.mtl:2: error: binary data (a byte 1), expected text\n");
+  ASSERT_TRUE(result.ok()) << TextOf(result.diagnostics);
+  EXPECT_TRUE(result.diagnostics.empty());
 }
 
-TEST(ReadScene, AMaterialFileThatIsADirectoryIsOneError) {
+TEST(ReadScene, AMaterialFileThatIsADirectoryIsANote) {
   const auto open = [](const std::filesystem::path& path) {
     if (path == "a.obj") {
       return TextFile{TextFile::Status::kRead, "mtllib .\n", ""};
     }
     return ReadTextFile(DataPath(""));
   };
-  const Result<Scene> result = ReadSceneWith(open, "a.obj");
+  const Result<Scene> result = ReadSceneWith({open, ListFolder}, "a.obj");
   EXPECT_EQ(TextOf(result.diagnostics),
             "a.obj: note: the scene has no faces\n"
-            "a.obj:1: error: MTL file '.' cannot be read: Is a directory\n");
+            "a.obj:1: note: MTL file '.' cannot be read: Is a directory\n");
 }
 
 }  // namespace

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/io/number_defect.h"
+#include "scene/io/quoted.h"
+
 namespace truelux {
 namespace {
 
@@ -76,19 +79,37 @@ TEST(Quoted, ShortensLongWordsBetweenCharacters) {
 }
 
 TEST(ReadNumbers, CountsSurplusNumbersAndStoresTheFirst) {
-  DiagnosticList diagnostics("f");
-  const auto numbers = ReadNumbers("1 2\t3 4 5 6 7", 1, diagnostics);
-  ASSERT_TRUE(numbers);
-  EXPECT_EQ(numbers->count, 7U);
-  EXPECT_EQ(numbers->values[5], 6);
-  EXPECT_FALSE(diagnostics.has_errors());
+  const Numbers numbers = ReadNumbers("1 2\t3 4 5 6 7");
+  EXPECT_EQ(numbers.count, 7U);
+  EXPECT_EQ(numbers.values[5], 6);
+  EXPECT_TRUE(numbers.defect.empty());
 }
 
-TEST(ReadNumbers, ReportsAWordThatIsNoNumber) {
-  DiagnosticList diagnostics("f");
-  EXPECT_FALSE(ReadNumbers("1 two", 4, diagnostics));
-  EXPECT_EQ(diagnostics.Sorted().at(0).Text().substr(0, 29),
-            "f:4: error: 'two' is no numbe");
+TEST(ReadNumbers, EndAtAWordThatIsNoNumber) {
+  const Numbers numbers = ReadNumbers("1 two 3");
+  EXPECT_EQ(numbers.count, 1U);
+  EXPECT_EQ(numbers.defect, "two");
+}
+
+TEST(NumberDefect, SaysWhatWasMeant) {
+  const auto habit = [](const char* word) {
+    const NumberDefect defect = DefectOfNumber(word);
+    EXPECT_EQ(defect.is_habit, IsHabit(defect.text)) << word;
+    return defect.text.substr(0, 12);
+  };
+  EXPECT_EQ(habit("1,5"), "decimal comm");
+  EXPECT_EQ(habit("-1,5e3"), "decimal comm");
+  EXPECT_EQ(habit("1.5,"), "commas betwe");
+  EXPECT_EQ(habit("1,234.5"), "thousands se");
+  EXPECT_EQ(habit("1,234,567"), "thousands se");
+  EXPECT_EQ(habit("1e999"), "'1e999' is t");
+  EXPECT_EQ(habit("a,b"), "'a,b' is no ");
+  EXPECT_EQ(habit("e5"), "'e5' is no n");
+  EXPECT_EQ(habit("nan"), "'nan' is no ");
+  EXPECT_EQ(DefectOfNumber(std::string(400, '7')).text.find("is too large"),
+            46U);
+  EXPECT_TRUE(DefectOfCorner("1,001/2").is_habit);
+  EXPECT_FALSE(DefectOfCorner("x").is_habit);
 }
 
 }  // namespace

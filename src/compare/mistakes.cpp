@@ -107,7 +107,7 @@ std::vector<Hypothesis> FlippedNormal(MistakeTrial& trial) {
 std::vector<Hypothesis> TwoSidedEmission(MistakeTrial& trial) {
   return {{.sentence = "the candidate's faces emit from both sides; here a "
                        "face is black from behind",
-           .predicted = Combined(trial.data().truth, 1, trial.Reversed())}};
+           .predicted = trial.ValuesOf(WithTwoSidedEmitters(trial.scene()))}};
 }
 
 std::vector<Hypothesis> WrongSide(MistakeTrial& trial) {

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 
 #include "exact/double_double.h"
 #include "exact/exact_conversion.h"
@@ -23,6 +24,7 @@
 #include "exact/rounding.h"
 #include "exact/sign.h"
 #include "exact/vec3.h"
+#include "scene/coplanar_order.h"
 #include "scene/index/ray_boxes.h"
 #include "scene/newell.h"
 
@@ -66,7 +68,7 @@ struct ExactParameter {
 /// A triangle that the ray meets, and where.
 struct MetTriangle {
   int triangle = -1;
-  bool from_front = false;
+  SeenFacet seen;
   double least = 0;  ///< the ray's parameter lies in [least, most]
   double most = HUGE_VAL;
 };
@@ -89,7 +91,7 @@ class Search {
 
   [[nodiscard]] std::optional<FirstHit> result() const {
     if (first_.triangle < 0) return std::nullopt;
-    return FirstHit{first_.triangle, first_.from_front};
+    return FirstHit{first_.triangle, first_.seen.shows_front};
   }
 
   /// Takes a triangle into account.
@@ -107,13 +109,14 @@ class Search {
       side = edge;
     }
     if (side == Sign::kZero) return;  // the ray lies in a parallel plane
-    MetTriangle met{index, side == Sign::kNegative, 0, HUGE_VAL};
+    const FacetId facet = FacetOf(TrianglesOf(scene_)[TriangleId(index)]);
+    MetTriangle met{index, {facet, side == Sign::kNegative}, 0, HUGE_VAL};
     const FilteredPlane normal = MakeFilteredPlane(
         FilteredCross(FilteredDifference(corners.at[0], corners.at[1]),
                       FilteredDifference(corners.at[0], corners.at[2])));
     if (HeightSide(normal, spokes[0], corners) != side) return;
     Bound(normal, spokes[0], side, met);
-    if (first_.triangle >= 0 && !IsBefore(met, corners)) return;
+    if (first_.triangle >= 0 && !GoesBeforeFirst(met, corners)) return;
     first_ = met;
     boxes_.EndAt(met.most);
   }
@@ -172,9 +175,7 @@ class Search {
     if (!(met.least >= 0)) met.least = 0;
   }
 
-  /// Whether a triangle is met before the first one so far; of triangles met
-  /// in one point, the one earlier in the file.
-  bool IsBefore(const MetTriangle& met, const Corners& corners) {
+  bool GoesBeforeFirst(const MetTriangle& met, const Corners& corners) {
     if (met.most < first_.least || first_.most < met.least) {
       ++counts_.order_filter;
       return met.most < first_.least;
@@ -184,7 +185,8 @@ class Search {
     const ExactParameter b(ray_, Corners(scene_, first_.triangle));
     const Sign order = SignOf(a.height * b.speed - b.height * a.speed);
     if (order != Sign::kZero) return order == Sign::kNegative;
-    return met.triangle < first_.triangle;
+    return std::pair(CoplanarClass(scene_, met.seen), met.triangle) <
+           std::pair(CoplanarClass(scene_, first_.seen), first_.triangle);
   }
 
   const Scene& scene_;

@@ -38,8 +38,9 @@ struct FirstHitCounts {
 /// Finds what rays meet in one scene. Triangles are closed, so that no ray
 /// slips between two that share an edge or a corner. A triangle whose plane
 /// contains the origin, or is parallel to the ray, is not met. Of triangles met
-/// in the same point the one of the earliest face counts, of one face the
-/// first triangle. Immutable; any number of threads may use it.
+/// in the same point the one counts that would be seen if they lay in one plane
+/// (scene/coplanar_order.h), of one facet the first triangle. Immutable; any
+/// number of threads may use it.
 class FirstHitFinder {
  public:
   explicit FirstHitFinder(const Scene& scene);

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "scene/coplanar_order.h"
 #include "scene/scene_access.h"
 #include "support/edge_sweep.h"
 #include "visibility/edges/cone.h"
@@ -94,7 +95,9 @@ class PlainEngine {
       front += sides[k] == Sign::kPositive ? 1 : 0;
       behind += sides[k] == Sign::kNegative ? 1 : 0;
     }
-    const bool earlier = FaceOf(scene_, piece.facet) < FaceOf(scene_, facet);
+    const bool shows_front = cones_.ReceiverSide(p) == Sign::kNegative;
+    const bool earlier =
+        IsSeenBefore(scene_, {piece.facet, shows_front}, {facet, true});
     if (front > 0 && behind > 0) {
       Add(blockers_, cones_.InFrontOf(source, p, sides));
     } else if (front > 0 || (behind == 0 && earlier)) {

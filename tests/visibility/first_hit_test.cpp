@@ -94,7 +94,21 @@ std::optional<FirstHit> SlowHit(const Scene& scene, const Ray& ray,
       tie = true;
       const Vec across = Cross(n, first_normal);
       if (Dot(across, across) == 0) coplanar = true;
-      continue;  // the earlier one stays
+      const auto kind = [&](std::size_t k, bool front) {
+        const Facet& facet =
+            scene
+                .facets()[static_cast<std::size_t>(scene.triangles()[k].facet)];
+        const Face& face = scene.faces()[static_cast<std::size_t>(facet.face)];
+        return !front ? 2 : face.is_emitter ? 0 : 1;
+      };
+      // An emitter's front, another front, a back; then the earlier one stays.
+      if (kind(static_cast<std::size_t>(first->triangle), first->from_front) <=
+          kind(i, speed < 0)) {
+        continue;
+      }
+      first = FirstHit{static_cast<int>(i), speed < 0};
+      on_edge = beta == 0 || gamma == 0 || beta + gamma == 1;
+      continue;
     }
     first = FirstHit{static_cast<int>(i), speed < 0};
     least = t;

@@ -94,7 +94,7 @@ class ContourBuilder {
   /// The face whose edge separates a source from its neighbour in the view:
   /// the nearer of the two, because it ends there. Where both are equally near
   /// all along, the neighbour enters the source's plane; if they are coplanar,
-  /// the one in front ends there.
+  /// the one that is seen before the other ends there.
   [[nodiscard]] FaceNumber EdgeFace(FacetId source, FacetId neighbour,
                                     DirectionId from, DirectionId to) const {
     if (!neighbour.valid()) return NumberOfFaceOf(source);
@@ -110,7 +110,10 @@ class ContourBuilder {
       if (nearer == Sign::kNegative) return NumberOfFaceOf(neighbour);
     }
     const bool coplanar = IsZero(Cross(own.normal, other.normal));
-    return NumberOfFaceOf(coplanar ? std::min(source, neighbour) : neighbour);
+    const bool source_ends =
+        coplanar &&
+        IsSeenBefore(query_.scene, own.Seen(source), other.Seen(neighbour));
+    return NumberOfFaceOf(source_ends ? source : neighbour);
   }
 
   const ContourQuery& query_;

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -252,7 +253,8 @@ class MapBuilder {
       Sign sign = SignOf(Dot(f, middle));
       if (sign == Sign::kZero) sign = SignOf(f.x * step_x + f.y * step_y);
       if (sign != Sign::kZero) return sign == Sign::kNegative;
-      return triangles_[a].facet < triangles_[b].facet;
+      return std::tuple(triangles_[a].coplanar_class, triangles_[a].facet) <
+             std::tuple(triangles_[b].coplanar_class, triangles_[b].facet);
     };
     return triangles_[*std::ranges::min_element(cover, nearer)].facet;
   }

@@ -16,6 +16,7 @@ namespace truelux {
 struct ImageTriangle {
   std::array<ImagePoint, 3> corners;
   FacetId facet;
+  int coplanar_class = 0;  ///< of the facet (scene/coplanar_order.h)
 };
 
 }  // namespace truelux

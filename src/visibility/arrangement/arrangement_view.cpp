@@ -38,6 +38,8 @@ std::vector<ImageTriangle> ImageOf(const ContourQuery& query, FacetViews views,
   for (const Triangle& triangle : query.scene.triangles()) {
     const FacetView& view = views[FacetOf(triangle)];
     if (!view.blocks) continue;
+    const int coplanar_class =
+        CoplanarClass(query.scene, view.Seen(FacetOf(triangle)));
     const auto [a, b, c] = CornersOf(triangle);
     std::vector<ImagePoint> polygon;
     for (const WorldPoint& p :
@@ -46,8 +48,9 @@ std::vector<ImageTriangle> ImageOf(const ContourQuery& query, FacetViews views,
       polygon.push_back(chart.ImageFromWorld(p));
     }
     for (std::size_t k = 2; k < polygon.size(); ++k) {
-      image.push_back(
-          {{polygon[0], polygon[k - 1], polygon[k]}, FacetOf(triangle)});
+      image.push_back({{polygon[0], polygon[k - 1], polygon[k]},
+                       FacetOf(triangle),
+                       coplanar_class});
     }
   }
   return image;

@@ -10,6 +10,7 @@
 
 #include "base/id_vector.h"
 #include "base/ids.h"
+#include "scene/coplanar_order.h"
 #include "visibility/arrangement/arrangement_chart.h"
 #include "visibility/arrangement/arrangement_map.h"
 #include "visibility/contour.h"
@@ -22,6 +23,11 @@ struct FacetView {
   bool is_source = false;  ///< emits to r, and has a point above the horizon
   Vec3<Exact> normal;      ///< points to the front
   Exact height;            ///< normal . (p - r); negative: r is in front
+
+  /// The facet of this id as the receiver sees it.
+  [[nodiscard]] SeenFacet Seen(FacetId facet) const {
+    return {facet, SignOf(height) == Sign::kNegative};
+  }
 };
 
 /// What a receiver needs to know of every facet of a scene.

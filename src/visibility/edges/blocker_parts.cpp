@@ -34,7 +34,9 @@ template <class Geometry>
 bool BlockerParts<Geometry>::MayBlock(PieceId piece, ImageBox& box) {
   const Piece& p = pieces_.pieces()[piece];
   if (hide_all_ || p.facet == source_.facet()) return false;
-  if (source_.IsCoplanar(p.facet) && !source_.IsEarlier(p.facet)) return false;
+  if (source_.IsCoplanar(p.facet) && !source_.IsSeenBeforeSource(p.facet)) {
+    return false;
+  }
   return source_.plane().BoxOfVertices(pieces_.CornersOf(p), box) &&
          box.Meets(source_.box());
 }
@@ -93,8 +95,8 @@ bool BlockerParts<Geometry>::MakePart(PieceId piece, Part& part,
     any_behind = any_behind || sides[k] == Sign::kNegative;
   }
   if (!any_front) {
-    // In the source's plane it is wholly in front iff its face is earlier.
-    if (any_behind || !source_.IsEarlier(p.facet)) return false;
+    // In the source's plane it is wholly in front, or not at all.
+    if (any_behind || !source_.IsSeenBeforeSource(p.facet)) return false;
   }
   if (cones_.ReceiverSide(piece) == Sign::kZero) return false;
   if (any_front && any_behind) {

@@ -3,6 +3,7 @@
 
 #include <cassert>
 
+#include "scene/coplanar_order.h"
 #include "scene/scene_access.h"
 
 namespace truelux {
@@ -46,8 +47,10 @@ bool SourceCones<Geometry>::SetSource(FacetId facet) {
 }
 
 template <class Geometry>
-bool SourceCones<Geometry>::IsEarlier(FacetId facet) const {
-  return FaceOf(scene_, facet) < FaceOf(scene_, facet_);
+bool SourceCones<Geometry>::IsSeenBeforeSource(FacetId facet) {
+  const bool shows_front =
+      cones_.ReceiverSide(pieces_.FirstPieceOf(facet)) == Sign::kNegative;
+  return IsSeenBefore(scene_, {facet, shows_front}, {facet_, true});
 }
 
 template class SourceCones<ViewGeometry>;

@@ -59,9 +59,9 @@ class SourceCones {
     return pieces_.FirstInPlaneOf(facet) == pieces_.FirstInPlaneOf(facet_);
   }
 
-  /// Whether a facet's face comes before the source's: of two faces in one
-  /// plane the earlier one hides the other.
-  [[nodiscard]] bool IsEarlier(FacetId facet) const;
+  /// Whether a facet in the plane of the source hides the source where it
+  /// overlaps it (coplanar_order.h).
+  [[nodiscard]] bool IsSeenBeforeSource(FacetId facet);
 
  private:
   const Scene& scene_;

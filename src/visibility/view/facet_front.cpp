@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstddef>
 
+#include "scene/coplanar_order.h"
 #include "scene/scene_access.h"
 
 namespace truelux {
@@ -43,7 +44,10 @@ bool FacetFront::CanBeHiddenBy(TriangleId triangle) const {
     if (side == Sign::kPositive) return true;
     all_on = all_on && side == Sign::kZero;
   }
-  return all_on && FaceOf(query_.scene, facet) < FaceOf(query_.scene, facet_);
+  if (!all_on) return false;
+  const bool shows_front = sides_.OfReceiver(triangle) == Sign::kNegative;
+  return IsSeenBefore(query_.scene, {facet, shows_front},
+                      {facet_, receiver_side_ == Sign::kPositive});
 }
 
 std::optional<Segment> FacetFront::CutOf(TriangleId triangle) const {

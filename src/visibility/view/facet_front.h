@@ -30,7 +30,7 @@ class FacetFront {
 
   /// Whether a triangle of another facet can hide some of this one: some of
   /// the triangle is strictly in front of the plane, or all of it is on the
-  /// plane and its face is the earlier one, which is then what is seen.
+  /// plane and is what is seen there (coplanar_order.h).
   [[nodiscard]] bool CanBeHiddenBy(TriangleId triangle) const;
 
   /// The segment in which a triangle of another facet crosses the plane;

@@ -81,7 +81,8 @@ class BlockReader {
 };
 
 /// Second stage, parallel between blocks and within one.
-void EvaluateBlock(const Oracle& oracle, Block& block, Progress& progress) {
+void EvaluateBlock(const Oracle& oracle, char separator, Block& block,
+                   Progress& progress) {
   block.results.resize(block.rows.size());
   block.receivers.clear();
   for (const ReceiverRow& row : block.rows)
@@ -96,7 +97,8 @@ void EvaluateBlock(const Oracle& oracle, Block& block, Progress& progress) {
   });
   for (std::size_t i = 0; i < block.rows.size(); ++i) {
     block.text += block.rows[i].text;
-    AppendResult(block.text, block.results[i], oracle.options().method);
+    AppendResult(block.text, block.results[i], oracle.options().method,
+                 separator);
     block.text += '\n';
   }
 }
@@ -107,9 +109,12 @@ void WriteBlock(const Block& block, OutputFile& output,
   output.Write(block.text);
   for (const Irradiance& irradiance : block.results) {
     summary.statistics += irradiance.statistics;
+    if (irradiance.value != Rgb{}) ++summary.lit;
     if (IsInfinite(irradiance)) ++summary.overflowing;
     if (HasNoNumber(irradiance)) ++summary.unanswered;
   }
+  for (const Receiver& receiver : block.receivers)
+    summary.sample.Take(receiver);
   summary.receivers += block.rows.size();
 }
 
@@ -119,8 +124,11 @@ EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,
                            OutputFile& output, int threads,
                            Progress& progress) {
   EvaluationSummary summary;
-  output.Write(reader.header() +
-               std::string(ResultHeader(oracle.options().method)) + "\n");
+  if (reader.has_header()) {
+    output.Write(reader.header() +
+                 ResultHeader(oracle.options().method, reader.separator()) +
+                 "\n");
+  }
   const std::size_t block_count = 2 * static_cast<std::size_t>(threads);
   BlockReader blocks(reader, block_count, summary.defects);
   const auto read = [&blocks](tbb::flow_control& control) {
@@ -129,7 +137,7 @@ EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,
     return block;
   };
   const auto evaluate = [&](Block* block) {
-    EvaluateBlock(oracle, *block, progress);
+    EvaluateBlock(oracle, reader.separator(), *block, progress);
     return block;
   };
   const auto write = [&](const Block* block) {

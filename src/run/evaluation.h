@@ -13,6 +13,7 @@
 
 #include "run/output_file.h"
 #include "run/progress.h"
+#include "text/receiver_sample.h"
 #include "text/receivers.h"
 
 namespace truelux {
@@ -21,9 +22,11 @@ namespace truelux {
 struct EvaluationSummary {
   Statistics statistics;
   std::uint64_t receivers = 0;    ///< rows written
+  std::uint64_t lit = 0;          ///< of these, with a value that is not 0
   std::uint64_t overflowing = 0;  ///< of these, with an infinite value
   /// Of these, with a value that the formula does not give or not bound.
   std::uint64_t unanswered = 0;
+  ReceiverSample sample;  ///< of the receivers
   /// What ended the input early: the defects of the first defective row.
   std::vector<Diagnostic> defects;
 };

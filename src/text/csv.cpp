@@ -2,8 +2,16 @@
 #include "text/csv.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <limits>
+#include <optional>
+#include <span>
 #include <utility>
+
+#include "truelux/io.h"
+
+#include "base/utf16.h"
 
 namespace truelux {
 namespace {
@@ -14,6 +22,68 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 bool IsBlank(char c) {
   return c == ' ' || c == '\t';
+}
+
+std::string_view WithoutReturn(std::string_view line) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+/// The separator that a line "sep=;" is about, as spreadsheets write it.
+std::optional<char> GivenSeparator(std::string_view line) {
+  constexpr std::string_view kStart = "sep=";
+  if (line.size() != kStart.size() + 1 || !line.starts_with(kStart)) {
+    return std::nullopt;
+  }
+  return line.back();
+}
+
+/// The fields of a line, roughly: quotes are taken off, not looked at.
+std::vector<std::string_view> RoughFields(std::string_view line,
+                                          char separator) {
+  std::vector<std::string_view> fields;
+  const std::string_view ends = separator == ' '
+                                    ? std::string_view(" \t")
+                                    : std::string_view(&separator, 1);
+  while (!line.empty()) {
+    const std::size_t size = std::min(line.find_first_of(ends), line.size());
+    std::string_view field = TrimBlanks(line.substr(0, size));
+    if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
+      field = TrimBlanks(field.substr(1, field.size() - 2));
+    }
+    if (separator != ' ' || !field.empty()) fields.push_back(field);
+    line.remove_prefix(std::min(size + 1, line.size()));
+  }
+  return fields;
+}
+
+/// How many fields are x, y, z, nx, ny or nz.
+std::size_t NamesIn(const std::vector<std::string_view>& fields) {
+  constexpr std::array<std::string_view, 12> kNames{
+      "x", "y", "z", "nx", "ny", "nz", "X", "Y", "Z", "NX", "NY", "NZ"};
+  return static_cast<std::size_t>(
+      std::ranges::count_if(fields, [&](std::string_view field) {
+        return std::ranges::find(kNames, field) != kNames.end();
+      }));
+}
+
+char GuessedSeparator(std::string_view line) {
+  constexpr std::array<char, 4> kSeparators{',', ';', '\t', ' '};
+  char best = ',';
+  std::size_t most = 0;
+  for (const char separator : kSeparators) {
+    const auto fields = RoughFields(line, separator);
+    const bool is_row = fields.size() == 6 &&
+                        std::ranges::all_of(fields, [](std::string_view field) {
+                          return ParseNumber(field).has_value();
+                        });
+    const std::size_t score = std::max(NamesIn(fields), std::size_t{is_row});
+    if (score > most) {
+      most = score;
+      best = separator;
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -58,8 +128,17 @@ Diagnostic CsvReader::Error(int line, std::string message) const {
 }
 
 CsvReader::Status CsvReader::Next(CsvRecord& record, Diagnostic& defect) {
-  if (!started_) SkipByteOrderMark();
+  if (!started_) Start();
+  if (is_utf16_) {
+    is_utf16_ = false;
+    defect = Error(1, "looks like UTF-16, expected UTF-8: save it as UTF-8");
+    next_ = end_;
+    ended_ = true;
+    return Status::kDefect;
+  }
   for (;;) {
+    while (Peek() == '#')
+      SkipLine();
     const Status status = ReadRecord(record, defect);
     const bool blank_line =
         status == Status::kRecord && TrimBlanks(record.text_).empty();
@@ -103,13 +182,23 @@ CsvReader::Status CsvReader::ReadRecord(CsvRecord& record, Diagnostic& defect) {
     }
   }
   record.fields_.back().end = record.text_.size();
+  // Blanks at the end of a line separate nothing.
+  const bool is_behind_blanks = separator_ == ' ' && place == Place::kStart;
+  if (is_behind_blanks && record.fields_.size() > 1) record.fields_.pop_back();
   return Status::kRecord;
+}
+
+/// Whether a byte outside quotes separates two fields. Blanks before a field
+/// belong to it.
+bool CsvReader::EndsField(char c, Place place) const {
+  if (separator_ != ' ') return c == separator_;
+  return IsBlank(c) && place != Place::kStart;
 }
 
 /// Takes one byte into the record; returns what is wrong with it, if anything.
 const char* CsvReader::Step(char c, CsvRecord& record, Place& place) {
   if (c == '\0') return "NUL byte; the input is no text";
-  if (c == ',' && place != Place::kQuoted) {
+  if (place != Place::kQuoted && EndsField(c, place)) {
     record.fields_.back().end = record.text_.size();
     record.text_ += c;
     record.fields_.push_back({record.text_.size(), 0, line_});
@@ -173,17 +262,49 @@ void CsvReader::SkipLine() {
     byte = Get();
 }
 
-void CsvReader::SkipByteOrderMark() {
-  started_ = true;
-  // The mark may arrive in pieces.
-  while (end_ < kByteOrderMark.size()) {
+/// Makes the buffer hold a whole line, or as much as it can.
+void CsvReader::FillLine() {
+  std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(next_),
+            buffer_.begin() + static_cast<std::ptrdiff_t>(end_),
+            buffer_.begin());
+  end_ -= next_;
+  next_ = 0;
+  const auto has_line = [this] {
+    return std::memchr(buffer_.data(), '\n', end_) != nullptr;
+  };
+  while (!ended_ && end_ < buffer_.size() && !has_line()) {
     const std::size_t n = source_.Read(std::span(buffer_).subspan(end_));
     ended_ = n == 0;
-    if (ended_) break;
     end_ += n;
   }
-  const std::string_view front(buffer_.data(), end_);
-  if (front.starts_with(kByteOrderMark)) next_ = kByteOrderMark.size();
+}
+
+std::string_view CsvReader::FirstLine() const {
+  const std::string_view all(buffer_.data() + next_, end_ - next_);
+  return all.substr(0, all.find('\n'));
+}
+
+void CsvReader::Start() {
+  started_ = true;
+  FillLine();
+  is_utf16_ = LooksLikeUtf16({buffer_.data(), end_});
+  if (FirstLine().starts_with(kByteOrderMark)) next_ = kByteOrderMark.size();
+  for (;;) {
+    const std::string_view whole = WithoutReturn(FirstLine());
+    const std::string_view line = TrimBlanks(whole);
+    if (const auto given = GivenSeparator(whole)) {
+      separator_ = *given;
+      SkipLine();
+      return;
+    }
+    const bool is_skipped = line.empty() || line.starts_with('#');
+    if (!is_skipped || end_ == next_) {
+      separator_ = GuessedSeparator(line);
+      return;
+    }
+    SkipLine();
+    FillLine();
+  }
 }
 
 }  // namespace truelux

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Records of comma-separated values (RFC 4180), read one at a time.
+// Records of values with commas between (RFC 4180), or semicolons, tabs or
+// blanks, read one at a time.
 
 #ifndef TRUELUX_TEXT_CSV_H_
 #define TRUELUX_TEXT_CSV_H_
@@ -48,6 +49,11 @@ class CsvRecord {
 
 /// Splits a byte stream into records.
 ///
+/// The first line says what stands between fields: `sep=;` if it is that, else
+/// the separator that finds most of the names of receivers' columns in it, or
+/// numbers only. Between blanks (spaces and tabs) several count as one. Lines
+/// that begin with # are skipped.
+///
 /// Lines end with LF or CRLF, the last one perhaps without; blank lines are
 /// skipped, and so is a byte order mark at the start. A field whose first
 /// character other than a blank is a quote ends with a quote; in between,
@@ -72,6 +78,10 @@ class CsvReader {
   /// the source are passed on as they are thrown.
   Status Next(CsvRecord& record, Diagnostic& defect);
 
+  /// What stands between fields; known from the first Next on. ' ' stands for
+  /// any blanks.
+  [[nodiscard]] char separator() const { return separator_; }
+
   /// False if Next would have to ask the source for more bytes.
   [[nodiscard]] bool HasBufferedBytes() const { return next_ < end_; }
 
@@ -85,8 +95,11 @@ class CsvReader {
   int Peek();
   bool Fill();
   void SkipLine();
-  void SkipByteOrderMark();
+  void Start();
+  void FillLine();
+  [[nodiscard]] std::string_view FirstLine() const;
   Status ReadRecord(CsvRecord& record, Diagnostic& defect);
+  [[nodiscard]] bool EndsField(char c, Place place) const;
   const char* Step(char c, CsvRecord& record, Place& place);
 
   ByteSource& source_;
@@ -94,9 +107,11 @@ class CsvReader {
   std::vector<char> buffer_;
   std::size_t next_ = 0;  ///< unread bytes are [next_, end_) of buffer_
   std::size_t end_ = 0;
-  int line_ = 1;          ///< of the next byte
-  int quote_line_ = 0;    ///< of the last opening quote
-  bool started_ = false;  ///< the byte order mark has been dealt with
+  int line_ = 1;        ///< of the next byte
+  int quote_line_ = 0;  ///< of the last opening quote
+  char separator_ = ',';
+  bool started_ = false;   ///< what comes before records has been dealt with
+  bool is_utf16_ = false;  ///< the input is in an encoding that is not read
   bool ended_ = false;
 };
 

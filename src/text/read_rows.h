@@ -11,6 +11,7 @@
 #include "truelux/diagnostics.h"
 
 #include "scene/diagnostic_list.h"
+#include "scene/io/number_defect.h"
 
 namespace truelux {
 
@@ -27,8 +28,13 @@ DiagnosticList ReadRows(Reader& reader, const std::string& name,
   Row row;
   Status status = reader.ReadHeader(defects) ? Status::kRow : Status::kEnd;
   for (;;) {
-    for (Diagnostic& defect : defects)
-      all_defects.Add(std::move(defect));
+    for (Diagnostic& defect : defects) {
+      if (IsHabit(defect.message)) {
+        all_defects.CountError(defect.line, defect.message);
+      } else {
+        all_defects.Add(std::move(defect));
+      }
+    }
     defects.clear();
     if (status == Status::kEnd) return all_defects;
     status = reader.Next(row, defects);

@@ -8,9 +8,32 @@
 
 #include "truelux/io.h"
 
+#include "scene/io/number_defect.h"
 #include "scene/io/quoted.h"
 
 namespace truelux {
+namespace {
+
+/// What is wrong with the text of a column that should be a number.
+std::string MessageOf(std::string_view column, std::string_view word,
+                      std::string_view text) {
+  const NumberDefect defect = DefectOfNumber(word);
+  if (defect.is_habit) return defect.text;
+  return fmt::format(
+      "{}: {} is not a number; expected a decimal number in the range of "
+      "binary64",
+      column, Quoted(text));
+}
+
+/// In small letters; only those of ASCII.
+std::string Lowered(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+}  // namespace
 
 std::optional<int> ParseOnFace(std::string_view text, int face_count,
                                std::string& defect) {
@@ -42,9 +65,7 @@ Receiver ParseReceiver(const std::array<std::string, 6>& texts,
     }
     normal_read = normal_read && i < 3;
     defects.push_back(
-        {i, fmt::format("{}: {} is not a number; expected a decimal number in "
-                        "the range of binary64",
-                        kReceiverColumns[i], Quoted(texts[i]))});
+        {i, MessageOf(kReceiverColumns[i], TrimBlanks(texts[i]), texts[i])});
   }
   if (normal_read && numbers[3] == 0 && numbers[4] == 0 && numbers[5] == 0) {
     defects.push_back({3, "the normal is zero"});
@@ -61,10 +82,19 @@ ColumnNames::ColumnNames(const CsvReader& csv, const CsvRecord& header)
 
 std::optional<std::size_t> ColumnNames::Find(
     std::string_view name, std::vector<Diagnostic>& defects) const {
-  const auto first = std::find(names_.begin(), names_.end(), name);
+  const auto is_name = [&](const std::string& other) { return other == name; };
+  const auto is_like = [&](const std::string& other) {
+    return Lowered(other) == name;
+  };
+  const bool is_exact = std::ranges::any_of(names_, is_name);
+  const auto find = [&](auto from) {
+    return is_exact ? std::find_if(from, names_.end(), is_name)
+                    : std::find_if(from, names_.end(), is_like);
+  };
+  const auto first = find(names_.begin());
   if (first == names_.end()) return std::nullopt;
   const auto column = static_cast<std::size_t>(first - names_.begin());
-  if (std::find(first + 1, names_.end(), name) != names_.end()) {
+  if (find(first + 1) != names_.end()) {
     defects.push_back(csv_.Error(
         header_.line(column), fmt::format("column '{}' stands twice", name)));
   }
@@ -86,7 +116,8 @@ void ReceiverColumns::Find(const CsvReader& csv, const CsvRecord& header,
   defects.push_back(csv.Error(
       header.line(0),
       fmt::format("the header lacks the column{} {}; expected names like "
-                  "x,y,z,nx,ny,nz with commas between, found {}",
+                  "x,y,z,nx,ny,nz with commas between (or semicolons, tabs, "
+                  "blanks), found {}",
                   missing.size() == 1 ? "" : "s", fmt::join(missing, ", "),
                   Quoted(header.text()))));
 }
@@ -125,6 +156,21 @@ std::optional<Receiver> ReceiverColumns::Parse(
   }
   if (defects.size() != defects_before) return std::nullopt;
   return receiver;
+}
+
+void ReceiverColumns::TakeUsual() {
+  column_count_ = kReceiverColumns.size();
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    columns_[i] = i;
+  on_face_column_.reset();
+}
+
+bool IsRowWithoutHeader(const CsvRecord& record) {
+  if (record.size() != kReceiverColumns.size()) return false;
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    if (!ParseNumber(record.Value(i))) return false;
+  }
+  return true;
 }
 
 bool ReadHeaderRecord(CsvReader& csv, CsvRecord& record,

@@ -51,8 +51,8 @@ class ColumnNames {
   /// The names, in the order of the columns.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
-  /// The column of a name, if there is one. Adds a defect if the name stands
-  /// twice; other names may.
+  /// The column of a name, if there is one; else that of the name in another
+  /// case. Adds a defect if the name stands twice; other names may.
   std::optional<std::size_t> Find(std::string_view name,
                                   std::vector<Diagnostic>& defects) const;
 
@@ -74,6 +74,9 @@ class ReceiverColumns {
   void Find(const CsvReader& csv, const CsvRecord& header,
             std::vector<Diagnostic>& defects);
 
+  /// Takes a table without header: six columns, in the usual order.
+  void TakeUsual();
+
   /// The receiver of a row. Nothing, and a defect for each thing that is
   /// wrong, if it has not as many fields as the header or if one of these
   /// columns does not hold what it should.
@@ -91,6 +94,9 @@ class ReceiverColumns {
   std::array<std::size_t, kReceiverColumns.size()> columns_{};
   std::optional<std::size_t> on_face_column_;
 };
+
+/// Whether a record is a row of a table without header: six numbers.
+bool IsRowWithoutHeader(const CsvRecord& record);
 
 /// Reads the first record of a table, which names its columns. False, and a
 /// defect, if there is none.

@@ -24,6 +24,12 @@ ReceiverReader::ReceiverReader(ByteSource& source, const std::string& file_name,
 
 bool ReceiverReader::ReadHeader(std::vector<Diagnostic>& defects) {
   if (!ReadHeaderRecord(csv_, record_, defects)) return false;
+  has_header_ = !IsRowWithoutHeader(record_);
+  if (!has_header_) {
+    columns_.TakeUsual();
+    is_row_read_ = true;
+    return true;
+  }
   header_ = record_.text();
   const std::size_t defects_before = defects.size();
   for (std::size_t i = 0; i < record_.size(); ++i) {
@@ -40,15 +46,17 @@ bool ReceiverReader::ReadHeader(std::vector<Diagnostic>& defects) {
 
 ReceiverReader::Status ReceiverReader::Next(ReceiverRow& row,
                                             std::vector<Diagnostic>& defects) {
-  Diagnostic defect;
-  switch (csv_.Next(record_, defect)) {
-    case CsvReader::Status::kDefect:
-      defects.push_back(std::move(defect));
-      return Status::kDefect;
-    case CsvReader::Status::kEnd:
-      return Status::kEnd;
-    case CsvReader::Status::kRecord:
-      break;
+  if (!std::exchange(is_row_read_, false)) {
+    Diagnostic defect;
+    switch (csv_.Next(record_, defect)) {
+      case CsvReader::Status::kDefect:
+        defects.push_back(std::move(defect));
+        return Status::kDefect;
+      case CsvReader::Status::kEnd:
+        return Status::kEnd;
+      case CsvReader::Status::kRecord:
+        break;
+    }
   }
   const std::optional<Receiver> receiver =
       columns_.Parse(csv_, record_, defects);

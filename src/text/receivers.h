@@ -23,7 +23,8 @@ struct ReceiverRow {
 };
 
 /// Reads a receivers table: a header with at least x, y, z, nx, ny, nz in any
-/// order, perhaps on_face, perhaps further columns; then one receiver a row.
+/// order and any case, perhaps on_face, perhaps further columns; then one
+/// receiver a row. Without a header, if the first row is six numbers.
 class ReceiverReader {
  public:
   enum class Status {
@@ -41,8 +42,14 @@ class ReceiverReader {
   /// has the name of a result (E_*, bound_*).
   bool ReadHeader(std::vector<Diagnostic>& defects);
 
-  /// The header as it stands in the input.
+  /// The header as it stands in the input; "" if it has none.
   [[nodiscard]] const std::string& header() const { return header_; }
+
+  /// Whether there is a header; known after ReadHeader.
+  [[nodiscard]] bool has_header() const { return has_header_; }
+
+  /// What stands between fields; known after ReadHeader.
+  [[nodiscard]] char separator() const { return csv_.separator(); }
 
   /// Reads the next row. May be called again after a defect.
   Status Next(ReceiverRow& row, std::vector<Diagnostic>& defects);
@@ -57,6 +64,8 @@ class ReceiverReader {
   CsvRecord record_;
   ReceiverColumns columns_;
   std::string header_;
+  bool has_header_ = true;
+  bool is_row_read_ = false;  ///< record_ is a row that Next has yet to give
 };
 
 }  // namespace truelux

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/results.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -34,6 +35,10 @@ Json JsonOf(const RunReport& report) {
   json["evaluate_seconds"] = report.evaluate_seconds;
   json["threads"] = report.threads;
   json["receivers"] = report.receivers;
+  Json left_out = Json::array();
+  for (const LeftOutFaces& faces : report.left_out)
+    left_out.push_back({{"reason", faces.reason}, {"faces", faces.numbers}});
+  json["left_out"] = left_out;
   json["predicates"] = {{"receiver_side", JsonOf(s.receiver_side)},
                         {"vertex_side", JsonOf(s.vertex_side)},
                         {"plane_side", JsonOf(s.plane_side)},
@@ -91,20 +96,23 @@ void AppendNumber(std::string& text, double value) {
   text.append(buffer.data(), end.ptr);
 }
 
-std::string_view ResultHeader(Method method) {
-  return method == Method::kDouble ? ",E_r,E_g,E_b,bound_r,bound_g,bound_b"
-                                   : ",E_r,E_g,E_b";
+std::string ResultHeader(Method method, char separator) {
+  std::string header = method == Method::kDouble
+                           ? ",E_r,E_g,E_b,bound_r,bound_g,bound_b"
+                           : ",E_r,E_g,E_b";
+  std::ranges::replace(header, ',', separator);
+  return header;
 }
 
 void AppendResult(std::string& text, const Irradiance& irradiance,
-                  Method method) {
+                  Method method, char separator) {
   for (const double value : irradiance.value) {
-    text += ',';
+    text += separator;
     AppendNumber(text, value);
   }
   if (method != Method::kDouble) return;
   for (const double bound : irradiance.bound) {
-    text += ',';
+    text += separator;
     AppendNumber(text, bound);
   }
 }

@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "truelux/irradiance.h"
+#include "truelux/scene.h"
 #include "truelux/statistics.h"
 
 namespace truelux {
@@ -17,14 +19,14 @@ namespace truelux {
 /// for infinity, "nan" for no number.
 void AppendNumber(std::string& text, double value);
 
-/// Names of the result columns, with a comma before each: E_r, E_g, E_b
+/// Names of the result columns, with a separator before each: E_r, E_g, E_b
 /// [W/m^2], and the bounds of their errors if the method is kDouble.
-std::string_view ResultHeader(Method method);
+std::string ResultHeader(Method method, char separator = ',');
 
-/// Appends one row's results, with a comma before each, as ResultHeader names
-/// them.
+/// Appends one row's results, with a separator before each, as ResultHeader
+/// names them.
 void AppendResult(std::string& text, const Irradiance& irradiance,
-                  Method method);
+                  Method method, char separator = ',');
 
 /// What a run did, for --stats.
 struct RunReport {
@@ -35,6 +37,7 @@ struct RunReport {
   std::uint64_t receivers = 0;
   OracleOptions options;
   Statistics statistics;
+  std::vector<LeftOutFaces> left_out;  ///< of the scene
 };
 
 /// The report as a JSON object, ended by a line end.

@@ -96,7 +96,8 @@ TEST(Candidates, EveryDefectOfAHeaderIsReported) {
   EXPECT_EQ(
       Read("x,y,nx,ny,nz,E_r,E_r,E_b\n").defects,
       (Texts{"t.csv:1: error: the header lacks the column z; expected names "
-             "like x,y,z,nx,ny,nz with commas between, found "
+             "like x,y,z,nx,ny,nz with commas between (or semicolons, tabs, "
+             "blanks), found "
              "'x,y,nx,ny,nz,E_r,E_r,E_b'",
              "t.csv:1: error: column 'E_r' stands twice",
              "t.csv:1: error: the header lacks the column E_g; expected the "

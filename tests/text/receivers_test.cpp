@@ -107,16 +107,18 @@ INSTANTIATE_TEST_SUITE_P(
                    "x,y,z,nx,ny,nz"}},
         BadHeader{"x,y,z,nx,ny\n",
                   {"t.csv:1: error: the header lacks the column nz; expected "
-                   "names like x,y,z,nx,ny,nz with commas between, found "
+                   "names like x,y,z,nx,ny,nz with commas between (or "
+                   "semicolons, tabs, blanks), found "
                    "'x,y,z,nx,ny'"}},
         BadHeader{"\nX,y,z\n",
-                  {"t.csv:2: error: the header lacks the columns x, nx, ny, "
-                   "nz; expected names like x,y,z,nx,ny,nz with commas "
-                   "between, found 'X,y,z'"}},
-        BadHeader{"0,0,0,0,0,1\n",
+                  {"t.csv:2: error: the header lacks the columns nx, ny, nz; "
+                   "expected names like x,y,z,nx,ny,nz with commas between (or "
+                   "semicolons, tabs, blanks), found 'X,y,z'"}},
+        BadHeader{"0,0,0,0,0,1,2\n",
                   {"t.csv:1: error: the header lacks the columns x, y, z, nx, "
                    "ny, nz; expected names like x,y,z,nx,ny,nz with commas "
-                   "between, found '0,0,0,0,0,1'"}},
+                   "between (or semicolons, tabs, blanks), found "
+                   "'0,0,0,0,0,1,2'"}},
         BadHeader{"x,y,z,nx,ny,nz, x\n",
                   {"t.csv:1: error: column 'x' stands twice"}},
         BadHeader{"x,y,z,nx,ny,nz,on_face,on_face\n",

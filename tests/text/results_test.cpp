@@ -52,6 +52,7 @@ TEST(Results, ReportIsJsonWithEveryCount) {
   report.evaluate_seconds = 1.25;
   report.threads = 4;
   report.receivers = 7;
+  report.left_out = {{"a reason", {2, 5}}};
   report.options.method = Method::kDouble;
   Statistics& s = report.statistics;
   s.receiver_side = {1, 2, 3, 4};
@@ -78,6 +79,7 @@ TEST(Results, ReportIsJsonWithEveryCount) {
   "evaluate_seconds": 1.25,
   "threads": 4,
   "receivers": 7,
+  "left_out": [{"reason":"a reason","faces":[2,5]}],
   "predicates": {
     "receiver_side": {"symbolic": 1, "filter": 2, "interval": 3, "exact": 4},
     "vertex_side": {"symbolic": 5, "filter": 6, "interval": 7, "exact": 8},

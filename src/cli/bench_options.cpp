@@ -82,7 +82,7 @@ Command BenchCommand() {
           .summary = kDescription,
           .details = kReportHelp,
           .examples = kExamples,
-          .options = OptionsOf(*arguments),
+          .options = WithSceneOptions(OptionsOf(*arguments), arguments->scene),
           .run = [arguments] { return RunBench(*arguments); }};
 }
 

@@ -29,7 +29,7 @@ namespace {
 
 /// What is to be done.
 struct BenchRequest {
-  std::string scene;
+  SceneRequest scene;
   std::string receivers;  ///< path or "-"
   std::string report;
   std::size_t count = 0;  ///< of receivers at most
@@ -43,7 +43,7 @@ constexpr std::int64_t kMaxSeed = std::int64_t{1} << 53;
 
 BenchRequest ParseBenchRequest(const BenchArguments& arguments) {
   BenchRequest request;
-  request.scene = PathValue("SCENE.obj", arguments.scene);
+  request.scene = SceneRequestOf(arguments.scene);
   request.receivers = PathValue("RECEIVERS.csv", arguments.receivers);
   request.report = PathValue("--output", arguments.output);
   if (request.report == "-") {
@@ -105,7 +105,8 @@ ExitStatus RunBench(const BenchArguments& arguments) {
   StopIfInterrupted();
   Comparison comparison =
       RunMethods(scene, std::move(chosen), list, request.limits);
-  comparison.scene = std::filesystem::path(request.scene).filename().string();
+  comparison.scene =
+      std::filesystem::path(request.scene.path).filename().string();
 
   report.Write(HtmlReport(comparison));
   methods.Write(MethodsCsv(comparison));

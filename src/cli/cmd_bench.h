@@ -7,13 +7,14 @@
 #include <optional>
 #include <string>
 
+#include "cli/input_arguments.h"
 #include "run/exit_status.h"
 
 namespace truelux {
 
 /// The words of the command line, before they are looked at.
 struct BenchArguments {
-  std::string scene;
+  SceneArguments scene;
   std::optional<std::string> receivers;
   std::string output;
   std::string count;

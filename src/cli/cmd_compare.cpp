@@ -29,7 +29,7 @@ namespace {
 
 /// What is to be done.
 struct CompareRequest {
-  std::string scene;
+  SceneRequest scene;
   std::string candidate;            ///< path or "-"
   std::string output;               ///< path; "": standard output
   std::optional<std::string> json;  ///< path; "": standard output
@@ -47,7 +47,7 @@ std::optional<std::size_t> ChannelOf(const std::optional<std::string>& word) {
 
 CompareRequest RequestOf(const CompareArguments& arguments) {
   CompareRequest request;
-  request.scene = PathValue("SCENE.obj", arguments.scene);
+  request.scene = SceneRequestOf(arguments.scene);
   request.candidate = PathValue("CANDIDATE.csv", arguments.candidate);
   request.output = PathValue("--output", arguments.output);
   if (request.output == "-") request.output.clear();
@@ -88,7 +88,8 @@ CandidateReport Compare(const CompareRequest& request,
                                 static_cast<int>(scene.faces().size())};
   CandidateReport report = CompareCandidate(
       scene, LoadCandidate(file, file.name(), rules), request.options);
-  report.scene_name = std::filesystem::path(request.scene).filename().string();
+  report.scene_name =
+      std::filesystem::path(request.scene.path).filename().string();
   report.candidate_name =
       request.candidate == "-"
           ? file.name()

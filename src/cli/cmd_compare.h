@@ -7,13 +7,14 @@
 #include <optional>
 #include <string>
 
+#include "cli/input_arguments.h"
 #include "run/exit_status.h"
 
 namespace truelux {
 
 /// The words of the command line, before they are looked at.
 struct CompareArguments {
-  std::string scene;
+  SceneArguments scene;
   std::optional<std::string> candidate;
   std::optional<std::string> output;
   std::optional<std::string> json;

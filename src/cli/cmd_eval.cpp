@@ -64,6 +64,11 @@ EvaluationSummary EvaluateTable(const Oracle& oracle, ReceiverInput& input,
   ReceiverReader reader(*input.source, input.name, face_count);
   std::vector<Diagnostic> defects;
   if (!reader.ReadHeader(defects)) throw UserError(std::move(defects));
+  if (!reader.has_header()) {
+    PrintNote(
+        "the receivers have no header: their columns are taken as x, y, z, nx, "
+        "ny, nz, and the output has no header");
+  }
   Progress progress(input.total);
   EvaluationSummary summary =
       Evaluate(oracle, reader, output, threads, progress);
@@ -89,6 +94,12 @@ void NoteUnanswered(const EvaluationSummary& summary, Formula formula) {
                   summary.unanswered == 1 ? "has" : "have", Name(formula)));
 }
 
+/// No zero without a word.
+void NoteDarkness(const Scene& scene, const EvaluationSummary& summary) {
+  if (summary.receivers == 0 || summary.lit > 0) return;
+  NoteDarkness(scene, summary.sample.kept());
+}
+
 }  // namespace
 
 ExitStatus RunEval(const EvalArguments& arguments) {
@@ -107,6 +118,8 @@ ExitStatus RunEval(const EvalArguments& arguments) {
                       request.options);
   ReceiverInput input =
       OpenReceivers(request, static_cast<int>(oracle.scene().faces().size()));
+  const auto left_out = oracle.scene().left_out();
+  report.left_out.assign(left_out.begin(), left_out.end());
   report.load_seconds = loading.Seconds();
 
   const Stopwatch evaluating;
@@ -117,6 +130,7 @@ ExitStatus RunEval(const EvalArguments& arguments) {
   report.statistics = summary.statistics;
   NoteOverflows(summary);
   NoteUnanswered(summary, request.options.formula);
+  NoteDarkness(oracle.scene(), summary);
 
   // Names are given at the very end, when nothing can fail but the naming.
   if (stats) {

@@ -30,7 +30,7 @@ namespace {
 
 /// What is to be done.
 struct InspectRequest {
-  std::string scene;
+  SceneRequest scene;
   Receiver receiver;    ///< without its face
   std::string on_face;  ///< the scene decides on its range; "": none
   std::optional<std::string> output;  ///< path; "": standard output
@@ -65,7 +65,7 @@ std::optional<std::string> OutputValue(const char* name,
 InspectRequest RequestOf(const InspectArguments& arguments) {
   constexpr int kLargestWidth = 20000;
   InspectRequest request;
-  request.scene = PathValue("SCENE.obj", arguments.scene);
+  request.scene = SceneRequestOf(arguments.scene);
   request.receiver = ReceiverOf(arguments);
   request.on_face = arguments.on_face.value_or("");
   request.output = OutputValue("--output", arguments.output);
@@ -99,7 +99,7 @@ InspectedView LookAround(const Oracle& oracle, const InspectRequest& request) {
     receiver.on_face = *face;
   }
   const std::string name =
-      std::filesystem::path(request.scene).filename().string();
+      std::filesystem::path(request.scene.path).filename().string();
   InspectedView inspected = Inspect(oracle, name, receiver, Announce);
   Announce("");
   return inspected;

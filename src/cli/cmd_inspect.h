@@ -7,13 +7,14 @@
 #include <optional>
 #include <string>
 
+#include "cli/input_arguments.h"
 #include "run/exit_status.h"
 
 namespace truelux {
 
 /// The words of the command line, before they are looked at.
 struct InspectArguments {
-  std::string scene;
+  SceneArguments scene;
   std::string at;
   std::string normal;
   std::optional<std::string> on_face;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/cmd_render.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "run/messages.h"
 #include "run/output_file.h"
 #include "run/progress.h"
+#include "text/receiver_sample.h"
 
 namespace truelux {
 namespace {
@@ -44,6 +46,20 @@ void Commit(std::deque<OutputFile>& files) {
     file.Commit();
 }
 
+/// No black picture without a word.
+void NoteDarkness(const Scene& scene, const PixelReceivers& receivers,
+                  const IrradianceImage& image) {
+  const auto is_dark = [](const Rgb& value) { return value == Rgb{}; };
+  if (!std::ranges::all_of(image.values.pixels(), is_dark)) return;
+  ReceiverSample sample;
+  for (int y = 0; y < receivers.height(); ++y) {
+    for (int x = 0; x < receivers.width(); ++x) {
+      if (const auto receiver = receivers.At(x, y)) sample.Take(*receiver);
+    }
+  }
+  if (!sample.kept().empty()) NoteDarkness(scene, sample.kept());
+}
+
 }  // namespace
 
 ExitStatus RunRender(const RenderArguments& arguments) {
@@ -63,6 +79,7 @@ ExitStatus RunRender(const RenderArguments& arguments) {
   const RenderedPixels pixels = RenderShowingProgress(
       oracle, *receivers, request.wishes, request.threads);
 
+  NoteDarkness(oracle.scene(), *receivers, pixels.image);
   auto file = files.begin();
   WritePicture(*file++, pixels.image, request.style);
   if (request.receivers_out)

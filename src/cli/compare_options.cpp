@@ -87,7 +87,7 @@ Command CompareCommand() {
           .summary = kDescription,
           .details = kCompareHelp,
           .examples = kExamples,
-          .options = OptionsOf(*arguments),
+          .options = WithSceneOptions(OptionsOf(*arguments), arguments->scene),
           .run = [arguments] { return RunCompare(*arguments); }};
 }
 

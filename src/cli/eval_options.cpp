@@ -106,7 +106,7 @@ Command EvalCommand() {
           .summary = kDescription,
           .details = kInputHelp,
           .examples = kExamples,
-          .options = OptionsOf(*arguments),
+          .options = WithSceneOptions(OptionsOf(*arguments), arguments->scene),
           .run = [arguments] { return RunEval(*arguments); }};
 }
 

@@ -104,7 +104,7 @@ std::string TableOfOne(const EvalArguments& arguments) {
 EvalRequest ParseEvalRequest(const EvalArguments& arguments) {
   CheckCombination(arguments);
   EvalRequest request;
-  request.scene = PathValue("SCENE.obj", arguments.scene);
+  request.scene = SceneRequestOf(arguments.scene);
   request.receivers = PathValue("RECEIVERS.csv", arguments.receivers);
   request.output = PathValue("--output", arguments.output);
   request.stats = PathValue("--stats", arguments.stats);

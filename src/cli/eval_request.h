@@ -9,11 +9,13 @@
 
 #include "truelux/irradiance.h"
 
+#include "cli/input_arguments.h"
+
 namespace truelux {
 
 /// The words of the command line, before they are looked at.
 struct EvalArguments {
-  std::string scene;
+  SceneArguments scene;
   std::optional<std::string> receivers;
   std::optional<std::string> at;
   std::optional<std::string> normal;
@@ -30,7 +32,7 @@ struct EvalArguments {
 
 /// What is to be done.
 struct EvalRequest {
-  std::string scene;
+  SceneRequest scene;
   std::string receivers;  ///< path or "-"; "": see table
   std::string table;      ///< --at and its companions as a table of one row
   std::string on_face;    ///< --on-face; the scene decides on its range

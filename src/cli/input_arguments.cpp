@@ -1,14 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/input_arguments.h"
 
+#include <fmt/format.h>
+
+#include "cli/option_values.h"
+#include "run/user_error.h"
+
 namespace truelux {
 
-OptionRow SceneArgument(std::string& scene) {
+OptionRow SceneArgument(SceneArguments& scene) {
   return {.name = "SCENE.obj",
-          .target = &scene,
+          .target = &scene.path,
           .value = "FILE",
           .help = "Wavefront OBJ; a face emits Ke of its material",
           .required = true};
+}
+
+std::vector<OptionRow> WithSceneOptions(std::vector<OptionRow> rows,
+                                        SceneArguments& scene) {
+  rows.push_back({.name = "--lenient",
+                  .target = &scene.lenient,
+                  .help = "leave out faces that are errors, and take faces of "
+                          "undefined materials as blockers; notes count them"});
+  rows.push_back({.name = "--two-sided",
+                  .target = &scene.two_sided,
+                  .help = "faces that emit do so to both sides"});
+  rows.push_back({.name = "--opaque-from",
+                  .target = &scene.opaque_from,
+                  .value = "D",
+                  .help = "leave out faces that do not emit and whose material "
+                          "has d (or 1 - Tr) below D"});
+  return rows;
+}
+
+SceneRequest SceneRequestOf(const SceneArguments& scene) {
+  SceneRequest request;
+  request.path = PathValue("SCENE.obj", scene.path);
+  request.options.lenient = scene.lenient;
+  request.options.two_sided = scene.two_sided;
+  if (!scene.opaque_from) return request;
+  request.options.opaque_from = ParseNumber(*scene.opaque_from);
+  const std::optional<double>& limit = request.options.opaque_from;
+  if (!limit || *limit < 0 || *limit > 1) {
+    throw UsageError(fmt::format("--opaque-from: '{}' is no number from 0 to 1",
+                                 *scene.opaque_from));
+  }
+  return request;
 }
 
 OptionRow ReceiversArgument(std::optional<std::string>& receivers) {

@@ -88,7 +88,7 @@ Command InspectCommand() {
           .summary = kDescription,
           .details = kViewHelp,
           .examples = kExamples,
-          .options = OptionsOf(*arguments),
+          .options = WithSceneOptions(OptionsOf(*arguments), arguments->scene),
           .run = [arguments] { return RunInspect(*arguments); }};
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "explain/darkness.h"
 #include "run/input_file.h"
 #include "run/interrupt.h"
 #include "run/messages.h"
@@ -20,12 +21,14 @@ namespace truelux {
 namespace {
 
 /// The likeliest reason for zeros everywhere deserves a word.
-void NoteDarkness(const Scene& scene, const std::string& name) {
-  if (scene.faces().empty() || std::ranges::any_of(scene.faces(), Emits)) {
-    return;
-  }
+void NoteNoEmitter(const Scene& scene, const std::string& name) {
+  if (scene.faces().empty() || !EmittersOf(scene).empty()) return;
+  const bool any_missing =
+      !scene.left_out().empty() || std::ranges::any_of(scene.faces(), Emits);
   Print({{Severity::kNote, name, 0,
-          "no face emits: none has a material with Ke above 0"}});
+          any_missing ? "no face emits: none that is left and has an area has "
+                        "a material with Ke above 0"
+                      : "no face emits: none has a material with Ke above 0"}});
 }
 
 /// Reads a whole table, row by row. Throws UserError with all defects
@@ -40,17 +43,22 @@ void ReadTable(ByteSource& source, const std::string& name, int face_count,
 
 }  // namespace
 
-Scene LoadScene(const std::string& path, const OutputPaths& outputs) {
-  CheckInput(outputs, path);
-  auto [scene, files] = ReadSceneAndFiles(path);
+Scene LoadScene(const SceneRequest& request, const OutputPaths& outputs) {
+  CheckInput(outputs, request.path);
+  auto [scene, files] = ReadSceneAndFiles(request.path, request.options);
   // Which MTL files are inputs is known only when the OBJ has been read.
   for (const std::filesystem::path& file : files)
     CheckInput(outputs, file.string());
   StopIfInterrupted();
   if (!scene.ok()) throw UserError(std::move(scene.diagnostics));
   Print(scene.diagnostics);
-  NoteDarkness(*scene.value, path);
+  NoteNoEmitter(*scene.value, request.path);
   return std::move(*scene.value);
+}
+
+void NoteDarkness(const Scene& scene, std::span<const Receiver> receivers) {
+  const std::string text = DarknessText(DarknessOf(scene, receivers));
+  if (!text.empty()) PrintNote(text);
 }
 
 ReceiverInput OpenReceivers(const std::string& path, const OutputPaths& outputs,

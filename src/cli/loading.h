@@ -7,12 +7,14 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 
+#include "cli/input_arguments.h"
 #include "cli/output_paths.h"
 #include "text/byte_source.h"
 
@@ -20,7 +22,11 @@ namespace truelux {
 
 /// Reads an OBJ and its MTL files and prints the notes about them. Throws
 /// UserError with all defects, or if a file that is read is an output.
-Scene LoadScene(const std::string& path, const OutputPaths& outputs);
+Scene LoadScene(const SceneRequest& request, const OutputPaths& outputs);
+
+/// Prints why everything is 0, if something emits. receivers: a few, of which
+/// none sees light.
+void NoteDarkness(const Scene& scene, std::span<const Receiver> receivers);
 
 /// A table of receivers, ready to be read from its start.
 struct ReceiverInput {

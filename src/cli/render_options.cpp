@@ -147,7 +147,7 @@ Command RenderCommand() {
           .summary = kDescription,
           .details = kFilesHelp,
           .examples = kExamples,
-          .options = OptionsOf(*arguments),
+          .options = WithSceneOptions(OptionsOf(*arguments), arguments->scene),
           .run = [arguments] { return RunRender(*arguments); }};
 }
 

@@ -211,7 +211,7 @@ std::vector<ImageText> ExrTexts(const std::string& scene,
 
 RenderRequest ParseRenderRequest(const RenderArguments& arguments) {
   RenderRequest request;
-  request.scene = PathValue("SCENE.obj", arguments.scene);
+  request.scene = SceneRequestOf(arguments.scene);
   ParseOutputs(arguments, request);
   request.subject = ParseSubject(arguments);
   request.size = ParseSize(
@@ -229,7 +229,7 @@ RenderRequest ParseRenderRequest(const RenderArguments& arguments) {
   }
   request.wishes.bounds =
       request.values && request.options.method == Method::kDouble;
-  request.style.texts = ExrTexts(request.scene, request.options);
+  request.style.texts = ExrTexts(request.scene.path, request.options);
   return request;
 }
 

@@ -10,6 +10,7 @@
 
 #include "truelux/irradiance.h"
 
+#include "cli/input_arguments.h"
 #include "cli/output_paths.h"
 #include "image/extra_picture.h"
 #include "image/picture_style.h"
@@ -20,7 +21,7 @@ namespace truelux {
 
 /// The words of the command line, before they are looked at.
 struct RenderArguments {
-  std::string scene;
+  SceneArguments scene;
   std::string output;
   std::optional<std::string> surface;
   std::optional<std::string> eye;
@@ -44,7 +45,7 @@ struct RenderArguments {
 
 /// What is to be done, as plain values.
 struct RenderRequest {
-  std::string scene;  ///< path
+  SceneRequest scene;
   OracleOptions options;
   int threads = 1;
   PictureSubject subject;

@@ -134,15 +134,16 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadScene("VertexUnknown", "v 0 0 1\nf 1 2 3\n", "",
                  "@bad.obj:2: error:"),
-        BadScene("NoNumber", "v 0 0 one\n", "", "@bad.obj:1: error:"),
+        BadScene("NoNumber", "v 0 0 one\nf 1 1 1\n", "", "@bad.obj:1: error:"),
         BadScene("SelfCrossing",
                  "v 0 0 1\nv 1 1 1\nv 1 0 1\nv 0 1 1\n\nf 1 2 3 4\n", "",
                  "@bad.obj:6: error:"),
-        BadScene("MtlMissing", "mtllib none.mtl\n", "", "@bad.obj:1: error:"),
-        BadScene("NegativeKe", "mtllib bad.mtl\n", "newmtl m\nKe 1 -1 1\n",
-                 "@bad.mtl:2: error:"),
-        BadScene("ShortKe", "mtllib bad.mtl\n", "newmtl m\nKe 1\n",
-                 "@bad.mtl:2: error:")),
+        BadScene("MtlMissing", "mtllib none.mtl\nv 0 0 0\nusemtl m\nf 1 1 1\n",
+                 "", "@bad.obj:3: error: unknown material"),
+        BadScene("NegativeKe", "mtllib bad.mtl\nv 0 0 0\nusemtl m\nf 1 1 1\n",
+                 "newmtl m\nKe 1 -1 1\n", "@bad.mtl:2: error:"),
+        BadScene("ShortKe", "mtllib bad.mtl\nv 0 0 0\nusemtl m\nf 1 1 1\n",
+                 "newmtl m\nKe 1 2\n", "@bad.mtl:2: error:")),
     NameOf);
 
 INSTANTIATE_TEST_SUITE_P(

@@ -17,6 +17,13 @@ namespace truelux {
 /// coinciding entries stays. Fewer than three entries: nothing has an inside.
 template <class T, class Same>
 void RemoveSpikes(std::vector<T>& ring, const Same& same) {
+  const std::size_t size = ring.size();
+  bool any = false;
+  for (std::size_t i = 0; i < size && size > 3; ++i) {
+    any = any || same(ring[i], ring[i + 2 < size ? i + 2 : i + 2 - size]);
+  }
+  // Few rings have one, and most are triangles, which cannot.
+  if (!any) return;
   std::vector<T> kept;
   for (T& entry : ring) {
     const std::size_t n = kept.size();

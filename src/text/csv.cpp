@@ -181,11 +181,15 @@ CsvReader::Status CsvReader::ReadRecord(CsvRecord& record, Diagnostic& defect) {
       return Status::kDefect;
     }
   }
+  EndRecord(record, place);
+  return Status::kRecord;
+}
+
+/// Ends the last field; blanks at the end of a line separate nothing.
+void CsvReader::EndRecord(CsvRecord& record, Place place) const {
   record.fields_.back().end = record.text_.size();
-  // Blanks at the end of a line separate nothing.
   const bool is_behind_blanks = separator_ == ' ' && place == Place::kStart;
   if (is_behind_blanks && record.fields_.size() > 1) record.fields_.pop_back();
-  return Status::kRecord;
 }
 
 /// Whether a byte outside quotes separates two fields. Blanks before a field

@@ -99,6 +99,7 @@ class CsvReader {
   void FillLine();
   [[nodiscard]] std::string_view FirstLine() const;
   Status ReadRecord(CsvRecord& record, Diagnostic& defect);
+  void EndRecord(CsvRecord& record, Place place) const;
   [[nodiscard]] bool EndsField(char c, Place place) const;
   const char* Step(char c, CsvRecord& record, Place& place);
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,10 @@ struct Witness {
 inline std::vector<RationalPoint> ImageOf(const IntegerRing& ring,
                                           const IntegerPoint& n) {
   std::vector<RationalPoint> image;
+  // Through a text: GMP knows no integer of 64 bits by that name.
+  const auto exact = [](Integer value) {
+    return mpq_class(std::to_string(value));
+  };
   for (const IntegerPoint& p : ring.points) {
     IntegerPoint q = p;
     IntegerPoint m = n;
@@ -43,11 +48,10 @@ inline std::vector<RationalPoint> ImageOf(const IntegerRing& ring,
       q = {q.y, q.z, q.x};
       m = {m.y, m.z, m.x};
     }
-    Integer u = m.z * q.x - m.x * q.z;
-    Integer v = m.z * q.y - m.y * q.z;
-    if (m.z < 0) u = -u;
-    image.push_back({mpq_class(static_cast<long>(u)),
-                     mpq_class(static_cast<long>(m.z < 0 ? -v : v))});
+    const Integer sign = m.z < 0 ? -1 : 1;
+    const Integer u = sign * (m.z * q.x - m.x * q.z);
+    const Integer v = sign * (m.z * q.y - m.y * q.z);
+    image.push_back({exact(u), exact(v)});
     // Both axes were turned: the sense is that of m.z.
     if (m.z < 0) std::swap(image.back().x, image.back().y);
   }

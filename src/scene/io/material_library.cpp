@@ -89,8 +89,8 @@ void MaterialLibrary::Take(const Statement& statement, Definition& definition) {
 void MaterialLibrary::TakeEmission(const Statement& statement,
                                    Definition& definition) {
   const Numbers numbers = ReadNumbers(statement.rest);
-  const auto refuse = [&](NumberDefect what) {
-    definition.defects.push_back({statement.line, std::move(what)});
+  const auto refuse = [&](const NumberDefect& what) {
+    definition.defects.push_back({statement.line, what});
   };
   if (numbers.defect == "spectral" || numbers.defect == "xyz") {
     refuse({"Ke " + std::string(numbers.defect) +

@@ -2,7 +2,6 @@
 #include "cli/render_request.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +12,7 @@
 #include "truelux/io.h"
 #include "truelux/version.h"
 
+#include "base/ascii_case.h"
 #include "cli/option_values.h"
 #include "cli/oracle_arguments.h"
 #include "run/user_error.h"
@@ -23,12 +23,6 @@ namespace {
 
 /// Pixels on a side: more than any picture that fits kMaxPixels has use for.
 constexpr std::int64_t kMaxSide = 65536;
-
-std::string LowerCase(std::string text) {
-  for (char& c : text)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 /// A further picture goes beside the output: "image_error.png".
 OutputPath BesideOutput(const std::string& output, ExtraPicture extra) {
@@ -41,7 +35,7 @@ OutputPath BesideOutput(const std::string& output, ExtraPicture extra) {
 /// Whether the output is an EXR file; otherwise it is a PNG.
 bool IsExr(const std::string& output) {
   const std::string extension =
-      LowerCase(std::filesystem::path(output).extension().string());
+      LowerAscii(std::filesystem::path(output).extension().string());
   if (extension != ".exr" && extension != ".png") {
     throw UsageError(
         fmt::format("--output: '{}' ends with neither .exr nor .png", output));

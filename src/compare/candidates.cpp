@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fmt/format.h>
 #include <limits>
 #include <utility>
 
 #include "truelux/io.h"
 
+#include "base/ascii_case.h"
 #include "scene/io/quoted.h"
 
 namespace truelux {
@@ -21,9 +21,7 @@ constexpr std::array<std::string_view, 3> kChannelNames = {"r", "g", "b"};
 std::optional<double> ParseValue(std::string_view text) {
   const std::string_view trimmed = TrimBlanks(text);
   if (const auto number = ParseNumber(trimmed)) return number;
-  std::string word;
-  for (const char c : trimmed)
-    word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  std::string word = LowerAscii(trimmed);
   const bool negative = word.starts_with('-');
   if (negative || word.starts_with('+')) word.erase(0, 1);
   if (word == "nan") return std::numeric_limits<double>::quiet_NaN();
@@ -127,16 +125,8 @@ void CandidateReader::UseColumn(std::size_t channel, std::size_t column,
 
 CandidateReader::Status CandidateReader::Next(
     CandidateRow& row, std::vector<Diagnostic>& defects) {
-  Diagnostic defect;
-  switch (csv_.Next(record_, defect)) {
-    case CsvReader::Status::kDefect:
-      defects.push_back(std::move(defect));
-      return Status::kDefect;
-    case CsvReader::Status::kEnd:
-      return Status::kEnd;
-    case CsvReader::Status::kRecord:
-      break;
-  }
+  const Status status = NextRecord(csv_, record_, defects);
+  if (status != Status::kRow) return status;
   const std::size_t defects_before = defects.size();
   const std::optional<Receiver> receiver =
       columns_.Parse(csv_, record_, defects);

@@ -52,7 +52,7 @@ struct CandidateRow {
 /// numbers, or inf, infinity or nan with any sign and in any case.
 class CandidateReader {
  public:
-  enum class Status { kRow, kDefect, kEnd };
+  using Status = RowStatus;
 
   /// source must outlive the reader.
   CandidateReader(ByteSource& source, const std::string& file_name,

@@ -28,13 +28,11 @@ void DiagnosticList::Note(int line, std::string message) {
 }
 
 void DiagnosticList::Add(Diagnostic diagnostic) {
-  const bool is_error = diagnostic.severity == Severity::kError;
-  has_errors_ = has_errors_ || is_error;
-  Keep(is_error ? errors_ : notes_, std::move(diagnostic));
+  Kept& kept = diagnostic.severity == Severity::kError ? errors_ : notes_;
+  Keep(kept, std::move(diagnostic));
 }
 
 void DiagnosticList::CountError(int line, std::string_view what) {
-  has_errors_ = true;
   Count(Severity::kError, line, what);
 }
 
@@ -52,6 +50,13 @@ void DiagnosticList::Count(Severity severity, int line, std::string_view what) {
   }
   found->first.line = std::min(found->first.line, line);
   ++found->count;
+}
+
+bool DiagnosticList::has_errors() const {
+  return errors_.total > 0 ||
+         std::ranges::any_of(counted_, [](const Counted& counted) {
+           return counted.first.severity == Severity::kError;
+         });
 }
 
 /// Lets the list grow to twice the limit before cutting it, so that millions
@@ -92,6 +97,16 @@ std::vector<Diagnostic> DiagnosticList::Sorted() const {
   SortByLine(all);
   all.insert(all.end(), endings.begin(), endings.end());
   return all;
+}
+
+std::string FirstTen(std::size_t count,
+                     const std::function<std::string(std::size_t)>& name) {
+  constexpr std::size_t kMost = 10;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(count, kMost); ++i)
+    text += (i > 0 ? ", " : "") + name(i);
+  if (count > kMost) text += " and " + std::to_string(count - kMost) + " more";
+  return text;
 }
 
 }  // namespace truelux

@@ -5,6 +5,7 @@
 #define TRUELUX_SCENE_DIAGNOSTIC_LIST_H_
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,7 +33,7 @@ class DiagnosticList {
 
   [[nodiscard]] const std::string& file() const { return file_; }
 
-  [[nodiscard]] bool has_errors() const { return has_errors_; }
+  [[nodiscard]] bool has_errors() const;
 
   /// By line; a last line tells how many more there are.
   [[nodiscard]] std::vector<Diagnostic> Sorted() const;
@@ -53,11 +54,15 @@ class DiagnosticList {
   void Count(Severity severity, int line, std::string_view what);
 
   std::string file_;
-  bool has_errors_ = false;
   Kept errors_;
   Kept notes_;
   std::vector<Counted> counted_;
 };
+
+/// The first ten of some names, and how many more there are: "a, b and 3 more".
+/// name(i): the i-th of them.
+std::string FirstTen(std::size_t count,
+                     const std::function<std::string(std::size_t)>& name);
 
 }  // namespace truelux
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/diagnostic_list.h"
 #include "scene/emitters.h"
 #include "scene/ring_spikes.h"
 
@@ -198,15 +199,9 @@ std::string SceneAssembly::PlaceOf(int face) const {
 }
 
 void SceneAssembly::ReportLeftOut(const LeftOutFaces& left_out) {
-  constexpr std::size_t kMostNamed = 10;
   const std::size_t count = left_out.numbers.size();
-  std::string places;
-  for (std::size_t i = 0; i < std::min(count, kMostNamed); ++i) {
-    places += (i > 0 ? ", " : "") + PlaceOf(left_out.numbers[i] - 1);
-  }
-  if (count > kMostNamed) {
-    places += " and " + std::to_string(count - kMostNamed) + " more";
-  }
+  const std::string places = FirstTen(
+      count, [&](std::size_t i) { return PlaceOf(left_out.numbers[i] - 1); });
   const int first = left_out.numbers.front() - 1;
   diagnostics_.push_back(
       {Severity::kNote, file_name_,

@@ -37,29 +37,21 @@ bool TryFan(const ProjectedRing& ring, std::vector<RingTriangle>& triangles) {
   return true;
 }
 
-/// The points that are left, and which of them are tips of ears.
-class EarClipper {
+/// The points of a ring from which ears are clipped, as far as they are left.
+class PointsLeft {
  public:
-  explicit EarClipper(const ProjectedRing& ring) : ring_(ring) {
-    const auto n = static_cast<std::size_t>(ring.size());
-    points_.resize(n);
-    is_ear_.resize(n);
-    for (std::size_t i = 0; i < n; ++i)
-      points_[i] = static_cast<int>(i);
-    for (std::size_t i = 0; i < n; ++i)
-      is_ear_[i] = IsEar(i);
+  explicit PointsLeft(const ProjectedRing& ring)
+      : points_(static_cast<std::size_t>(ring.size())) {
+    std::iota(points_.begin(), points_.end(), 0);
   }
 
-  void Run(std::vector<RingTriangle>& triangles) {
-    while (points_.size() > 3) {
-      const std::size_t tip = FirstEar();
-      triangles.push_back(TriangleAt(tip));
-      Remove(tip);
-    }
-    triangles.push_back({points_[2], points_[0], points_[1]});
-  }
+  [[nodiscard]] std::size_t size() const { return points_.size(); }
 
- private:
+  /// Their indices, in ring order.
+  std::vector<int>& points() { return points_; }
+
+  [[nodiscard]] const std::vector<int>& points() const { return points_; }
+
   [[nodiscard]] std::size_t Next(std::size_t i) const {
     return i + 1 < points_.size() ? i + 1 : 0;
   }
@@ -68,14 +60,45 @@ class EarClipper {
     return (i > 0 ? i : points_.size()) - 1;
   }
 
+  [[nodiscard]] int After(std::size_t i) const { return points_[Next(i)]; }
+
+  [[nodiscard]] int Before(std::size_t i) const { return points_[Previous(i)]; }
+
   [[nodiscard]] RingTriangle TriangleAt(std::size_t tip) const {
-    return {points_[Previous(tip)], points_[tip], points_[Next(tip)]};
+    return {Before(tip), points_[tip], After(tip)};
   }
 
+  void Remove(std::size_t tip) {
+    points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(tip));
+  }
+
+ private:
+  std::vector<int> points_;
+};
+
+/// Clips ears off a simple ring; knows which of the points are tips of ears.
+class EarClipper {
+ public:
+  explicit EarClipper(const ProjectedRing& ring)
+      : ring_(ring), left_(ring), is_ear_(left_.size()) {
+    for (std::size_t i = 0; i < is_ear_.size(); ++i)
+      is_ear_[i] = IsEar(i);
+  }
+
+  void Run(std::vector<RingTriangle>& triangles) {
+    while (left_.size() > 3) {
+      const std::size_t tip = FirstEar();
+      triangles.push_back(left_.TriangleAt(tip));
+      Remove(tip);
+    }
+    triangles.push_back(left_.TriangleAt(0));
+  }
+
+ private:
   [[nodiscard]] bool IsEar(std::size_t tip) const {
-    const RingTriangle triangle = TriangleAt(tip);
+    const RingTriangle triangle = left_.TriangleAt(tip);
     if (!IsPositive(ring_, triangle)) return false;
-    for (const int point : points_) {
+    for (const int point : left_.points()) {
       if (point != triangle[0] && point != triangle[1] &&
           point != triangle[2] && IsIn(ring_, triangle, point)) {
         return false;
@@ -95,15 +118,16 @@ class EarClipper {
   /// triangle of a convex point, the one farthest from the triangle's base is
   /// not convex, so it is no tip and stays, and with it the verdict.
   void Remove(std::size_t tip) {
-    points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(tip));
+    left_.Remove(tip);
     is_ear_.erase(is_ear_.begin() + static_cast<std::ptrdiff_t>(tip));
-    const std::size_t next = tip < points_.size() ? tip : 0;
+    const std::size_t next = tip < left_.size() ? tip : 0;
+    const std::size_t previous = left_.Previous(next);
     is_ear_[next] = IsEar(next);
-    is_ear_[Previous(next)] = IsEar(Previous(next));
+    is_ear_[previous] = IsEar(previous);
   }
 
   const ProjectedRing& ring_;
-  std::vector<int> points_;
+  PointsLeft left_;
   std::vector<bool> is_ear_;
 };
 
@@ -111,37 +135,24 @@ class EarClipper {
 class MeetingClipper {
  public:
   explicit MeetingClipper(const ProjectedRing& ring)
-      : ring_(ring), points_(static_cast<std::size_t>(ring.size())) {
-    std::iota(points_.begin(), points_.end(), 0);
-  }
+      : ring_(ring), left_(ring) {}
 
   /// False if there is no ear.
   bool Run(std::vector<RingTriangle>& triangles) {
-    while (points_.size() >= 3) {
+    while (left_.size() >= 3) {
       std::size_t tip = 0;
-      while (tip < points_.size() && !IsEar(tip))
+      while (tip < left_.size() && !IsEar(tip))
         ++tip;
-      if (tip == points_.size()) return false;
-      triangles.push_back(TriangleAt(tip));
-      points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(tip));
-      RemoveSpikes(points_, [this](int i, int j) { return Coincide(i, j); });
+      if (tip == left_.size()) return false;
+      triangles.push_back(left_.TriangleAt(tip));
+      left_.Remove(tip);
+      RemoveSpikes(left_.points(),
+                   [this](int i, int j) { return Coincide(i, j); });
     }
     return true;
   }
 
  private:
-  [[nodiscard]] int After(std::size_t i) const {
-    return points_[i + 1 < points_.size() ? i + 1 : 0];
-  }
-
-  [[nodiscard]] int Before(std::size_t i) const {
-    return points_[(i > 0 ? i : points_.size()) - 1];
-  }
-
-  [[nodiscard]] RingTriangle TriangleAt(std::size_t tip) const {
-    return {Before(tip), points_[tip], After(tip)};
-  }
-
   [[nodiscard]] bool Coincide(int i, int j) const {
     return i == j || ring_.Order(i, j) == Sign::kZero;
   }
@@ -157,13 +168,14 @@ class MeetingClipper {
   }
 
   [[nodiscard]] bool IsEar(std::size_t tip) const {
-    const RingTriangle t = TriangleAt(tip);
+    const RingTriangle t = left_.TriangleAt(tip);
     if (!IsPositive(ring_, t)) return false;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
+    for (std::size_t i = 0; i < left_.size(); ++i) {
       if (i == tip) continue;
-      const int point = points_[i];
+      const int point = left_.points()[i];
       if (Coincide(point, t[1])) {
-        if (IsBetweenSides(t, Before(i)) || IsBetweenSides(t, After(i))) {
+        if (IsBetweenSides(t, left_.Before(i)) ||
+            IsBetweenSides(t, left_.After(i))) {
           return false;
         }
       } else if (!Coincide(point, t[0]) && !Coincide(point, t[2]) &&
@@ -175,7 +187,7 @@ class MeetingClipper {
   }
 
   const ProjectedRing& ring_;
-  std::vector<int> points_;
+  PointsLeft left_;
 };
 
 }  // namespace

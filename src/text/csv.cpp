@@ -11,7 +11,9 @@
 
 #include "truelux/io.h"
 
+#include "base/ascii_case.h"
 #include "base/utf16.h"
+#include "text/column_names.h"
 
 namespace truelux {
 namespace {
@@ -57,13 +59,12 @@ std::vector<std::string_view> RoughFields(std::string_view line,
   return fields;
 }
 
-/// How many fields are x, y, z, nx, ny or nz.
+/// How many fields name a column that receivers must have, in any case.
 std::size_t NamesIn(const std::vector<std::string_view>& fields) {
-  constexpr std::array<std::string_view, 12> kNames{
-      "x", "y", "z", "nx", "ny", "nz", "X", "Y", "Z", "NX", "NY", "NZ"};
   return static_cast<std::size_t>(
-      std::ranges::count_if(fields, [&](std::string_view field) {
-        return std::ranges::find(kNames, field) != kNames.end();
+      std::ranges::count_if(fields, [](std::string_view field) {
+        return std::ranges::find(kReceiverColumns, LowerAscii(field)) !=
+               kReceiverColumns.end();
       }));
 }
 
@@ -73,7 +74,7 @@ char GuessedSeparator(std::string_view line) {
   std::size_t most = 0;
   for (const char separator : kSeparators) {
     const auto fields = RoughFields(line, separator);
-    const bool is_row = fields.size() == 6 &&
+    const bool is_row = fields.size() == kReceiverColumns.size() &&
                         std::ranges::all_of(fields, [](std::string_view field) {
                           return ParseNumber(field).has_value();
                         });
@@ -309,6 +310,21 @@ void CsvReader::Start() {
     SkipLine();
     FillLine();
   }
+}
+
+RowStatus NextRecord(CsvReader& csv, CsvRecord& record,
+                     std::vector<Diagnostic>& defects) {
+  Diagnostic defect;
+  switch (csv.Next(record, defect)) {
+    case CsvReader::Status::kDefect:
+      defects.push_back(std::move(defect));
+      return RowStatus::kDefect;
+    case CsvReader::Status::kEnd:
+      return RowStatus::kEnd;
+    case CsvReader::Status::kRecord:
+      break;
+  }
+  return RowStatus::kRow;
 }
 
 }  // namespace truelux

@@ -47,6 +47,13 @@ class CsvRecord {
   std::vector<Field> fields_;
 };
 
+/// How the reading of one row of a table went.
+enum class RowStatus {
+  kRow,     ///< a row was read
+  kDefect,  ///< a row is defective; the list of defects says why
+  kEnd,     ///< there are no more rows
+};
+
 /// Splits a byte stream into records.
 ///
 /// The first line says what stands between fields: `sep=;` if it is that, else
@@ -115,6 +122,11 @@ class CsvReader {
   bool is_utf16_ = false;  ///< the input is in an encoding that is not read
   bool ended_ = false;
 };
+
+/// Reads the next record of a table. Of a line that is no record, what is wrong
+/// goes to `defects`.
+RowStatus NextRecord(CsvReader& csv, CsvRecord& record,
+                     std::vector<Diagnostic>& defects);
 
 }  // namespace truelux
 

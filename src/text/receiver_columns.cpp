@@ -8,6 +8,7 @@
 
 #include "truelux/io.h"
 
+#include "base/ascii_case.h"
 #include "scene/io/number_defect.h"
 #include "scene/io/quoted.h"
 
@@ -23,14 +24,6 @@ std::string MessageOf(std::string_view column, std::string_view word,
       "{}: {} is not a number; expected a decimal number in the range of "
       "binary64",
       column, Quoted(text));
-}
-
-/// In small letters; only those of ASCII.
-std::string Lowered(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
 }
 
 }  // namespace
@@ -84,7 +77,7 @@ std::optional<std::size_t> ColumnNames::Find(
     std::string_view name, std::vector<Diagnostic>& defects) const {
   const auto is_name = [&](const std::string& other) { return other == name; };
   const auto is_like = [&](const std::string& other) {
-    return Lowered(other) == name;
+    return LowerAscii(other) == name;
   };
   const bool is_exact = std::ranges::any_of(names_, is_name);
   const auto find = [&](auto from) {
@@ -175,20 +168,13 @@ bool IsRowWithoutHeader(const CsvRecord& record) {
 
 bool ReadHeaderRecord(CsvReader& csv, CsvRecord& record,
                       std::vector<Diagnostic>& defects) {
-  Diagnostic defect;
-  switch (csv.Next(record, defect)) {
-    case CsvReader::Status::kDefect:
-      defects.push_back(std::move(defect));
-      return false;
-    case CsvReader::Status::kEnd:
-      defects.push_back(
-          csv.Error(1, fmt::format("no header; expected the columns {}",
-                                   fmt::join(kReceiverColumns, ","))));
-      return false;
-    case CsvReader::Status::kRecord:
-      break;
+  const RowStatus status = NextRecord(csv, record, defects);
+  if (status == RowStatus::kEnd) {
+    defects.push_back(
+        csv.Error(1, fmt::format("no header; expected the columns {}",
+                                 fmt::join(kReceiverColumns, ","))));
   }
-  return true;
+  return status == RowStatus::kRow;
 }
 
 }  // namespace truelux

@@ -14,17 +14,10 @@
 #include "truelux/diagnostics.h"
 #include "truelux/receiver.h"
 
+#include "text/column_names.h"
 #include "text/csv.h"
 
 namespace truelux {
-
-/// Names of the columns that a receivers table must have, in the order in
-/// which this program writes them.
-inline constexpr std::array<std::string_view, 6> kReceiverColumns = {
-    "x", "y", "z", "nx", "ny", "nz"};
-
-/// Name of the column for Receiver::on_face.
-inline constexpr std::string_view kOnFaceColumn = "on_face";
 
 /// Number of the face that a text names: 1 .. face_count, or 0 if it is empty.
 /// Nothing if it is no such number; `defect` then says why.

@@ -47,16 +47,8 @@ bool ReceiverReader::ReadHeader(std::vector<Diagnostic>& defects) {
 ReceiverReader::Status ReceiverReader::Next(ReceiverRow& row,
                                             std::vector<Diagnostic>& defects) {
   if (!std::exchange(is_row_read_, false)) {
-    Diagnostic defect;
-    switch (csv_.Next(record_, defect)) {
-      case CsvReader::Status::kDefect:
-        defects.push_back(std::move(defect));
-        return Status::kDefect;
-      case CsvReader::Status::kEnd:
-        return Status::kEnd;
-      case CsvReader::Status::kRecord:
-        break;
-    }
+    const Status status = NextRecord(csv_, record_, defects);
+    if (status != Status::kRow) return status;
   }
   const std::optional<Receiver> receiver =
       columns_.Parse(csv_, record_, defects);

@@ -27,11 +27,7 @@ struct ReceiverRow {
 /// receiver a row. Without a header, if the first row is six numbers.
 class ReceiverReader {
  public:
-  enum class Status {
-    kRow,     ///< a row was read
-    kDefect,  ///< a row is defective; `defects` says why
-    kEnd,     ///< there are no more rows
-  };
+  using Status = RowStatus;
 
   /// face_count: number of faces of the scene, the largest on_face.
   ReceiverReader(ByteSource& source, const std::string& file_name,

@@ -2,19 +2,15 @@
 #include "text/results.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "base/shortest_decimal.h"
 
 namespace truelux {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Enough for the shortest form of any binary64, such as
-/// -2.2250738585072014e-308.
-constexpr std::size_t kNumberChars = 32;
 
 Json JsonOf(const StageCounts& counts) {
   return {{"symbolic", counts.symbolic},
@@ -90,10 +86,7 @@ void AppendNumber(std::string& text, double value) {
     text += "nan";  // whatever its sign
     return;
   }
-  std::array<char, kNumberChars> buffer{};
-  const std::to_chars_result end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  text.append(buffer.data(), end.ptr);
+  AppendShortestDecimal(text, value);
 }
 
 std::string ResultHeader(Method method, char separator) {

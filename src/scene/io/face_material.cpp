@@ -28,15 +28,8 @@ std::string Counted(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " material" : " materials");
 }
 
-std::string FirstTen(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 10;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i)
-    text += (i > 0 ? ", " : "") + names[i];
-  if (names.size() > kMost) {
-    text += " and " + std::to_string(names.size() - kMost) + " more";
-  }
-  return text;
+std::string FirstTenOf(const std::vector<std::string>& names) {
+  return FirstTen(names.size(), [&](std::size_t i) { return names[i]; });
 }
 
 }  // namespace
@@ -114,7 +107,7 @@ void MaterialResolver::ReportUnknown() {
   diagnostics_.Note(first_line,
                     Counted(names.size()) +
                         " that no MTL file defines: the faces only block (" +
-                        FirstTen(names) + ")");
+                        FirstTenOf(names) + ")");
 }
 
 void MaterialResolver::ReportOpaque() {
@@ -132,7 +125,7 @@ void MaterialResolver::ReportOpaque() {
   diagnostics_.Note(first_line,
                     Counted(names.size()) +
                         " that would let light through, taken as opaque (" +
-                        FirstTen(names) +
+                        FirstTenOf(names) +
                         "); --opaque-from leaves such faces out");
 }
 

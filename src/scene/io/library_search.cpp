@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/ascii_case.h"
 #include "scene/io/statement.h"
 
 namespace truelux {
@@ -16,15 +17,6 @@ namespace {
 std::string Replaced(std::string_view text, char from, char to) {
   std::string result(text);
   std::ranges::replace(result, from, to);
-  return result;
-}
-
-/// In small letters; only those of ASCII.
-std::string Lowered(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
   return result;
 }
 
@@ -56,7 +48,7 @@ std::vector<std::string> SplitAtBlanks(std::string_view text) {
 std::vector<std::string> SplitAfterEndings(std::string_view text) {
   constexpr std::string_view kEnding = ".mtl";
   std::vector<std::string> names;
-  const std::string lowered = Lowered(text);
+  const std::string lowered = LowerAscii(text);
   std::size_t begin = 0;
   while (begin < text.size()) {
     std::size_t end = lowered.find(std::string(kEnding) + ' ', begin);
@@ -159,7 +151,7 @@ std::optional<std::filesystem::path> LibrarySearch::InAnotherCase(
     const auto entry =
         exact != entries.end()
             ? exact
-            : std::ranges::find(entries, Lowered(part.string()), Lowered);
+            : std::ranges::find(entries, LowerAscii(part.string()), LowerAscii);
     if (entry == entries.end()) return std::nullopt;
     path /= *entry;
   }

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
-#include <system_error>
+
+#include "base/shortest_decimal.h"
 
 namespace truelux {
 namespace {
@@ -44,10 +44,9 @@ std::string Quoted(std::string_view word) {
 }
 
 std::string NumberInText(double value) {
-  std::array<char, 32> text{};
-  const auto [end, error] =
-      std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), error == std::errc() ? end : text.data()};
+  std::string text;
+  AppendShortestDecimal(text, value);
+  return text;
 }
 
 }  // namespace truelux

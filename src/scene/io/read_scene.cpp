@@ -21,17 +21,6 @@
 namespace truelux {
 namespace {
 
-/// The text of a file, after reporting why there is none.
-std::optional<std::string_view> TextOf(const TextFile& file, std::string& why,
-                                       int& line) {
-  const std::string_view text = WithoutTail(file.text);
-  const std::optional<TextDefect> defect = FindTextDefect(text);
-  if (!defect) return text;
-  why = defect->what;
-  line = defect->line;
-  return std::nullopt;
-}
-
 /// Reads the MTL files that an OBJ names. What is wrong with the files
 /// themselves is a note: only a material that is missing is an error.
 void LoadLibraries(const std::vector<ObjReference>& references,
@@ -57,12 +46,11 @@ void LoadLibraries(const std::vector<ObjReference>& references,
         note("cannot be read: " + file.reason);
         continue;
       }
-      std::string why;
-      int line = 0;
-      if (const auto text = TextOf(file, why, line)) {
-        materials.Read(*text, library.path.string());
+      const std::string_view text = WithoutTail(file.text);
+      if (const auto defect = FindTextDefect(text)) {
+        note("cannot be read: " + defect->what);
       } else {
-        note("cannot be read: " + why);
+        materials.Read(text, library.path.string());
       }
     }
     for (const std::string& name : missing) {
@@ -155,16 +143,14 @@ Result<Scene> ReadSceneWith(const SceneFiles& files,
     diagnostics.Error(0, "cannot be read: " + file.reason);
     return {std::nullopt, diagnostics.Sorted()};
   }
-  std::string why;
-  int line = 0;
-  const std::optional<std::string_view> text = TextOf(file, why, line);
-  if (!text) {
-    diagnostics.Error(line, why);
+  const std::string_view text = WithoutTail(file.text);
+  if (const auto defect = FindTextDefect(text)) {
+    diagnostics.Error(defect->line, defect->what);
     return {std::nullopt, diagnostics.Sorted()};
   }
-  const ObjContents contents = ParseObj(*text, options.lenient, diagnostics);
+  const ObjContents contents = ParseObj(text, options.lenient, diagnostics);
   if (contents.faces.empty() && contents.positions.empty() &&
-      LooksLikeMaterials(*text)) {
+      LooksLikeMaterials(text)) {
     DiagnosticList only(obj.string());
     only.Error(0,
                "this is an MTL file (it has newmtl and neither v nor f), "

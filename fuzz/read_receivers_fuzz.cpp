@@ -13,7 +13,10 @@
 #include <string_view>
 #include <vector>
 
+#include "truelux/scene.h"
+
 #include "text/byte_source.h"
+#include "text/face_choice.h"
 #include "text/receivers.h"
 
 namespace {
@@ -60,10 +63,23 @@ void CheckDefects(const std::vector<truelux::Diagnostic>& defects) {
   }
 }
 
+/// kFaces faces, of which some have a name.
+truelux::Scene FuzzedScene() {
+  truelux::SceneBuilder builder;
+  for (int i = 0; i < kFaces; ++i) {
+    if (i == 3) builder.SetGroup("wall");
+    builder.AddFace({{0, 0, 1.0 * i}, {1, 0, 1.0 * i}, {0, 1, 1.0 * i}});
+  }
+  return *builder.Build().value;
+}
+
 /// The rows that a table has, and the texts of its defects, in their order.
 std::vector<std::string> RowsOf(truelux::ByteSource& source) {
   using Status = truelux::ReceiverReader::Status;
-  truelux::ReceiverReader reader(source, "t.csv", kFaces);
+  static const truelux::Scene scene = FuzzedScene();
+  truelux::FaceWords faces(scene);
+  truelux::FoundFaces found;
+  truelux::ReceiverReader reader(source, "t.csv", faces);
   std::vector<std::string> rows;
   std::vector<truelux::Diagnostic> defects;
   const auto note_defects = [&] {
@@ -85,6 +101,7 @@ std::vector<std::string> RowsOf(truelux::ByteSource& source) {
       continue;
     }
     Require(defects.empty());
+    truelux::SetFace(scene, row.face, row.receiver, found);
     CheckReceiver(row.receiver);
     rows.push_back(row.text);
   }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include "truelux/diagnostics.h"
 #include "truelux/export.h"
 #include "truelux/geometry.h"
+#include "truelux/receiver.h"
 
 namespace truelux {
 
@@ -66,6 +68,15 @@ struct TRUELUX_EXPORT LeftOutFaces {
   std::vector<int> numbers;  ///< of the faces, from 1; ascending
 };
 
+/// The face that a receiver lies on up to rounding.
+struct NearFace {
+  int number = 0;       ///< of the face, from 1
+  double distance = 0;  ///< of the receiver to the face's plane (found by a
+                        ///< name: to the face) in the scene's unit, within a
+                        ///< few ulps
+  bool has_second = false;  ///< another face is within the limit, too
+};
+
 /// Immutable; copies share the data. Equal points are one vertex, so that two
 /// triangles share an edge exactly if they share its two vertex indices.
 class TRUELUX_EXPORT Scene {
@@ -89,8 +100,39 @@ class TRUELUX_EXPORT Scene {
   /// The faces that were left out on request, reason by reason.
   [[nodiscard]] std::span<const LeftOutFaces> left_out() const;
 
+  /// The face that a receiver near it lies on, for Receiver::on_face. Nothing
+  /// if there is none, or if the receiver is not finite or has no normal.
+  ///
+  /// Of the faces whose plane is at most t away, with the foot of the
+  /// perpendicular in the face or at most t away from it, first those count
+  /// whose front is turned like the normal (n . m >= |n| |m| / 2), without such
+  /// ones those with n . m > 0, then those with n . m < 0; among these the face
+  /// whose plane is nearest, then the first one. All is decided exactly. A face
+  /// that is not planar counts by its triangles.
+  ///
+  /// limit: t, finite and >= 0. By default t is 2^-22 of the receiver's largest
+  /// coordinate in absolute value plus 2^-20 of the longest edge of the face's
+  /// bounding box, which is more than rounding to binary32 moves a point.
+  ///
+  /// The first call makes the index that oracles share (n log n for n faces).
+  /// May be called from several threads.
+  [[nodiscard]] std::optional<NearFace> FaceNear(
+      const Receiver& receiver, std::optional<double> limit = {}) const;
+
+  /// The same among the faces of an object or a group (as --surface names
+  /// them), by the distance to the face and without a limit. Nothing if no face
+  /// has the name and an area.
+  [[nodiscard]] std::optional<NearFace> FaceNear(const Receiver& receiver,
+                                                 std::string_view name) const;
+
+  /// Whether a face within the default limit lies above the receiver, on the
+  /// side that its normal points to: a receiver that rounding has moved behind
+  /// its own face sees nothing else. Nothing is asked of the face's front.
+  [[nodiscard]] bool IsBehindFace(const Receiver& receiver) const;
+
  private:
   friend class SceneBuilder;
+  friend class SceneIndex;
   friend class SceneVariants;
   struct Data;
   std::shared_ptr<const Data> data_;

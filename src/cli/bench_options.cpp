@@ -43,6 +43,7 @@ std::vector<OptionRow> OptionsOf(BenchArguments& arguments) {
   return {
       SceneArgument(arguments.scene),
       RequiredReceivers(arguments.receivers),
+      OnFaceOption(arguments.on_face),
       {.name = "-o,--output",
        .target = &arguments.output,
        .value = "REPORT.html",

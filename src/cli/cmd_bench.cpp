@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "truelux/irradiance.h"
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 
@@ -31,6 +32,7 @@ namespace {
 struct BenchRequest {
   SceneRequest scene;
   std::string receivers;  ///< path or "-"
+  std::optional<std::string> on_face;
   std::string report;
   std::size_t count = 0;  ///< of receivers at most
   MethodChoice choice;
@@ -45,6 +47,7 @@ BenchRequest ParseBenchRequest(const BenchArguments& arguments) {
   BenchRequest request;
   request.scene = SceneRequestOf(arguments.scene);
   request.receivers = PathValue("RECEIVERS.csv", arguments.receivers);
+  request.on_face = arguments.on_face;
   request.report = PathValue("--output", arguments.output);
   if (request.report == "-") {
     throw UsageError("--output: '-' cannot name a report and its tables");
@@ -74,9 +77,11 @@ OutputPaths OutputsOf(const std::string& report) {
 /// An evenly picked part of a table, or all of it.
 std::vector<Receiver> SomeReceivers(const BenchRequest& request,
                                     const OutputPaths& outputs,
-                                    int face_count) {
+                                    const Scene& scene) {
+  FaceWords faces(scene);
+  faces.SetUsual(OnFaceOf(request.on_face, faces));
   const std::vector<Receiver> all =
-      LoadReceivers(request.receivers, outputs, face_count);
+      LoadReceivers(request.receivers, outputs, faces);
   if (all.empty()) {
     throw UserError({Diagnostic{Severity::kError, request.receivers, 0,
                                 "no receivers: the table has only a header"}});
@@ -99,8 +104,8 @@ ExitStatus RunBench(const BenchArguments& arguments) {
   OutputFile receivers(outputs[2].path);
 
   const Scene scene = LoadScene(request.scene, outputs);
-  std::vector<Receiver> chosen =
-      SomeReceivers(request, outputs, static_cast<int>(scene.faces().size()));
+  std::vector<Receiver> chosen = SomeReceivers(request, outputs, scene);
+  NoteBehindFaces(Oracle(scene), chosen);
   const MethodList list = PrepareMethods(scene, request.choice);
   StopIfInterrupted();
   Comparison comparison =

@@ -16,6 +16,7 @@ namespace truelux {
 struct BenchArguments {
   SceneArguments scene;
   std::optional<std::string> receivers;
+  std::optional<std::string> on_face;
   std::string output;
   std::string count;
   std::string seed;

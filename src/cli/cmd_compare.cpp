@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "truelux/irradiance.h"
 #include "truelux/version.h"
@@ -30,7 +31,8 @@ namespace {
 /// What is to be done.
 struct CompareRequest {
   SceneRequest scene;
-  std::string candidate;            ///< path or "-"
+  std::string candidate;  ///< path or "-"
+  std::optional<std::string> on_face;
   std::string output;               ///< path; "": standard output
   std::optional<std::string> json;  ///< path; "": standard output
   std::optional<std::size_t> channel;
@@ -49,6 +51,7 @@ CompareRequest RequestOf(const CompareArguments& arguments) {
   CompareRequest request;
   request.scene = SceneRequestOf(arguments.scene);
   request.candidate = PathValue("CANDIDATE.csv", arguments.candidate);
+  request.on_face = arguments.on_face;
   request.output = PathValue("--output", arguments.output);
   if (request.output == "-") request.output.clear();
   if (arguments.json) {
@@ -84,10 +87,14 @@ CandidateReport Compare(const CompareRequest& request,
   CheckInput(outputs, request.candidate);
   InputFile file(request.candidate);
   const CandidateRules rules = {request.options.truth.quantity, request.channel,
-                                IsGrey(scene),
-                                static_cast<int>(scene.faces().size())};
-  CandidateReport report = CompareCandidate(
-      scene, LoadCandidate(file, file.name(), rules), request.options);
+                                IsGrey(scene)};
+  FaceWords faces(scene);
+  faces.SetUsual(OnFaceOf(request.on_face, faces));
+  CandidateData data = LoadCandidate(file, file.name(), rules, faces);
+  NoteFoundFaces(data.found);
+  NoteBehindFaces(Oracle(scene), data.receivers);
+  CandidateReport report =
+      CompareCandidate(scene, std::move(data), request.options);
   report.scene_name =
       std::filesystem::path(request.scene.path).filename().string();
   report.candidate_name =

@@ -16,6 +16,7 @@ namespace truelux {
 struct CompareArguments {
   SceneArguments scene;
   std::optional<std::string> candidate;
+  std::optional<std::string> on_face;
   std::optional<std::string> output;
   std::optional<std::string> json;
   std::string quantity;

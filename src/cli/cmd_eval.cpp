@@ -46,22 +46,27 @@ OutputPaths Outputs(const EvalRequest& request) {
   return outputs;
 }
 
-ReceiverInput OpenReceivers(const EvalRequest& request, int face_count) {
-  if (!request.receivers.empty()) {
-    return OpenReceivers(request.receivers, Outputs(request), face_count);
-  }
-  std::string defect;
-  if (!ParseOnFace(request.on_face, face_count, defect)) {
-    throw UserError("--on-face: " + defect);
-  }
+ReceiverInput OpenReceivers(const EvalRequest& request, FaceWords& faces) {
+  if (!request.receivers.empty())
+    return OpenReceivers(request.receivers, Outputs(request), faces);
   return {std::make_unique<TextSource>(request.table), "", 1};
+}
+
+/// How the table is evaluated. The table of --at has a column on_face, which
+/// says as much as on_face_found unless the face is searched for.
+EvaluationTask TaskOf(const EvalRequest& request, FaceWords& faces) {
+  const FaceChoice choice = OnFaceOf(request.on_face, faces);
+  const bool is_table = request.table.empty();
+  if (is_table) faces.SetUsual(choice);
+  return {request.threads, request.on_face.has_value() &&
+                               (is_table || choice.search != nullptr)};
 }
 
 /// Streams the table through the oracle.
 EvaluationSummary EvaluateTable(const Oracle& oracle, ReceiverInput& input,
-                                OutputFile& output, int threads) {
-  const auto face_count = static_cast<int>(oracle.scene().faces().size());
-  ReceiverReader reader(*input.source, input.name, face_count);
+                                FaceWords& faces, OutputFile& output,
+                                const EvaluationTask& task) {
+  ReceiverReader reader(*input.source, input.name, faces);
   std::vector<Diagnostic> defects;
   if (!reader.ReadHeader(defects)) throw UserError(std::move(defects));
   if (!reader.has_header()) {
@@ -70,8 +75,7 @@ EvaluationSummary EvaluateTable(const Oracle& oracle, ReceiverInput& input,
         "ny, nz, and the output has no header");
   }
   Progress progress(input.total);
-  EvaluationSummary summary =
-      Evaluate(oracle, reader, output, threads, progress);
+  EvaluationSummary summary = Evaluate(oracle, reader, output, task, progress);
   if (!summary.defects.empty()) throw UserError(std::move(summary.defects));
   return summary;
 }
@@ -100,6 +104,13 @@ void NoteDarkness(const Scene& scene, const EvaluationSummary& summary) {
   NoteDarkness(scene, summary.sample.kept());
 }
 
+void NoteFaces(const EvaluationSummary& summary) {
+  NoteFoundFaces(summary.faces);
+  const std::string text =
+      BehindFacesText(summary.behind_faces, summary.receivers);
+  if (!text.empty()) PrintNote(text);
+}
+
 }  // namespace
 
 ExitStatus RunEval(const EvalArguments& arguments) {
@@ -116,21 +127,23 @@ ExitStatus RunEval(const EvalArguments& arguments) {
   const Stopwatch loading;
   const Oracle oracle(LoadScene(request.scene, Outputs(request)),
                       request.options);
-  ReceiverInput input =
-      OpenReceivers(request, static_cast<int>(oracle.scene().faces().size()));
+  FaceWords faces(oracle.scene());
+  const EvaluationTask task = TaskOf(request, faces);
+  ReceiverInput input = OpenReceivers(request, faces);
   const auto left_out = oracle.scene().left_out();
   report.left_out.assign(left_out.begin(), left_out.end());
   report.load_seconds = loading.Seconds();
 
   const Stopwatch evaluating;
   const EvaluationSummary summary =
-      EvaluateTable(oracle, input, output, request.threads);
+      EvaluateTable(oracle, input, faces, output, task);
   report.evaluate_seconds = evaluating.Seconds();
   report.receivers = summary.receivers;
   report.statistics = summary.statistics;
   NoteOverflows(summary);
   NoteUnanswered(summary, request.options.formula);
   NoteDarkness(oracle.scene(), summary);
+  NoteFaces(summary);
 
   // Names are given at the very end, when nothing can fail but the naming.
   if (stats) {

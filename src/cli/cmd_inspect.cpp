@@ -31,8 +31,8 @@ namespace {
 /// What is to be done.
 struct InspectRequest {
   SceneRequest scene;
-  Receiver receiver;    ///< without its face
-  std::string on_face;  ///< the scene decides on its range; "": none
+  Receiver receiver;  ///< without its face
+  std::optional<std::string> on_face;
   std::optional<std::string> output;  ///< path; "": standard output
   std::optional<std::string> json;
   ViewPicture picture;
@@ -67,7 +67,7 @@ InspectRequest RequestOf(const InspectArguments& arguments) {
   InspectRequest request;
   request.scene = SceneRequestOf(arguments.scene);
   request.receiver = ReceiverOf(arguments);
-  request.on_face = arguments.on_face.value_or("");
+  request.on_face = arguments.on_face;
   request.output = OutputValue("--output", arguments.output);
   request.json = OutputValue("--json", arguments.json);
   if (!request.output && !request.json) {
@@ -90,14 +90,11 @@ OutputPaths OutputsOf(const InspectRequest& request) {
 
 InspectedView LookAround(const Oracle& oracle, const InspectRequest& request) {
   Receiver receiver = request.receiver;
-  if (!request.on_face.empty()) {
-    std::string defect;
-    const auto face =
-        ParseOnFace(request.on_face,
-                    static_cast<int>(oracle.scene().faces().size()), defect);
-    if (!face) throw UserError("--on-face: " + defect);
-    receiver.on_face = *face;
-  }
+  FaceWords faces(oracle.scene());
+  FoundFaces found;
+  SetFace(oracle.scene(), OnFaceOf(request.on_face, faces), receiver, found);
+  NoteFoundFaces(found);
+  NoteBehindFaces(oracle, {&receiver, 1});
   const std::string name =
       std::filesystem::path(request.scene.path).filename().string();
   InspectedView inspected = Inspect(oracle, name, receiver, Announce);

@@ -11,6 +11,7 @@
 #include "image/picture.h"
 #include "image/picture_view.h"
 #include "image/pixel_table.h"
+#include "image/pixels_on_faces.h"
 #include "image/render_pixels.h"
 #include "run/interrupt.h"
 #include "run/messages.h"
@@ -35,6 +36,20 @@ void WritePicture(OutputFile& file, const IrradianceImage& image,
   const Picture picture = PictureOf(image, style);
   Print(picture.notes);
   file.Write(picture.bytes);
+}
+
+/// What --on-face makes of the receivers; null without it.
+std::unique_ptr<PixelReceivers> OnOtherFaces(const Scene& scene,
+                                             const PixelReceivers& shown,
+                                             const RenderRequest& request) {
+  if (!request.on_face) return nullptr;
+  FaceWords words(scene);
+  const FaceChoice choice = OnFaceOf(request.on_face, words);
+  Progress progress(static_cast<std::uint64_t>(shown.height()), "rows");
+  auto pixels = std::make_unique<PixelsOnFaces>(scene, shown, choice,
+                                                request.threads, progress);
+  NoteFoundFaces(pixels->found());
+  return pixels;
 }
 
 /// Names are given at the very end, when nothing can fail but the naming.
@@ -74,16 +89,19 @@ ExitStatus RunRender(const RenderArguments& arguments) {
                       request.options);
   const PictureFrame frame = FrameOf(oracle.scene(), request.subject);
   Print(frame.notes);
-  const std::unique_ptr<PixelReceivers> receivers =
+  const std::unique_ptr<PixelReceivers> shown =
       ReceiversOf(oracle.scene(), frame, request.size);
-  const RenderedPixels pixels = RenderShowingProgress(
-      oracle, *receivers, request.wishes, request.threads);
+  const std::unique_ptr<PixelReceivers> other =
+      OnOtherFaces(oracle.scene(), *shown, request);
+  const PixelReceivers& receivers = other ? *other : *shown;
+  const RenderedPixels pixels =
+      RenderShowingProgress(oracle, receivers, request.wishes, request.threads);
 
-  NoteDarkness(oracle.scene(), *receivers, pixels.image);
+  NoteDarkness(oracle.scene(), receivers, pixels.image);
   auto file = files.begin();
   WritePicture(*file++, pixels.image, request.style);
   if (request.receivers_out)
-    WritePixelReceivers(*file++, *receivers, pixels.image);
+    WritePixelReceivers(*file++, receivers, pixels.image);
   if (request.values) WritePixelValues(*file++, pixels, request.options.method);
   for (const ExtraPicture extra : request.also) {
     StopIfInterrupted();

@@ -48,6 +48,7 @@ std::vector<OptionRow> OptionsOf(CompareArguments& arguments) {
        .value = "FILE",
        .help = "receivers with the candidate's values; - is standard input",
        .required = true},
+      OnFaceOption(arguments.on_face),
       {.name = "-o,--output",
        .target = &arguments.output,
        .value = "REPORT.txt",

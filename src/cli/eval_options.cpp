@@ -26,11 +26,16 @@ constexpr const char* kInputHelp =
     "\n"
     "RECEIVERS.csv has a header with at least the columns x,y,z,nx,ny,nz, in\n"
     "any order: a point and the normal of the surface there. A column on_face\n"
-    "may name the face (number of its f line, from 1) on which the point lies\n"
-    "up to rounding: that face and all faces in its plane are ignored there.\n"
-    "All columns are copied to the output, followed by E_r,E_g,E_b and, with\n"
-    "--method double, bound_r,bound_g,bound_b, proven bounds on the errors\n"
-    "(nan and inf where --formula does not apply).\n";
+    "may say what --on-face does, for one receiver: the face on which the "
+    "point\n"
+    "lies up to rounding (the number of its f line, from 1; NAME; auto). That\n"
+    "face and all faces in its plane are ignored there. All columns are "
+    "copied\n"
+    "to the output, followed with --on-face by on_face_found, the number of "
+    "the\n"
+    "face that was taken, then by E_r,E_g,E_b and, with --method double,\n"
+    "bound_r,bound_g,bound_b, proven bounds on the errors (nan and inf where\n"
+    "--formula does not apply).\n";
 
 constexpr const char* kExamples =
     "Examples:\n"
@@ -67,10 +72,7 @@ std::vector<OptionRow> OptionsOf(EvalArguments& arguments) {
        .target = &arguments.normal,
        .value = "nx,ny,nz",
        .help = "with --at: its normal"},
-      {.name = "--on-face",
-       .target = &arguments.on_face,
-       .value = "N",
-       .help = "with --at: the face on which the point lies"},
+      OnFaceOption(arguments.on_face),
       {.name = "-o,--output",
        .target = &arguments.output,
        .value = "OUT.csv",

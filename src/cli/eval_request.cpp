@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <string_view>
 #include <vector>
 
 #include "truelux/formulas.h"
@@ -26,9 +27,6 @@ void CheckCombination(const EvalArguments& arguments) {
   }
   if (!arguments.receivers && !arguments.at) {
     throw UsageError("no receivers: give a table, or --at and --normal");
-  }
-  if (arguments.on_face && !arguments.at) {
-    throw UsageError("--on-face belongs to --at; a table has a column on_face");
   }
 }
 
@@ -76,6 +74,15 @@ void ParseFormula(const EvalArguments& arguments, OracleOptions& options) {
   options.half_side = *half_side;
 }
 
+/// A text as a field of a table, whatever it has in it.
+std::string QuotedField(std::string_view text) {
+  if (text.find_first_of(",;\"\r\n\t ") == text.npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text)
+    quoted += c == '"' ? std::string(2, c) : std::string(1, c);
+  return quoted + "\"";
+}
+
 std::string TableOfOne(const EvalArguments& arguments) {
   std::array<std::string, kReceiverColumns.size()> texts;
   std::ranges::copy(TripleTexts("--at", *arguments.at), texts.begin());
@@ -94,7 +101,7 @@ std::string TableOfOne(const EvalArguments& arguments) {
   if (arguments.on_face) {
     // Whether there is such a face is known when the scene has been read.
     header += fmt::format(",{}", kOnFaceColumn);
-    row += fmt::format(",{}", *arguments.on_face);
+    row += "," + QuotedField(*arguments.on_face);
   }
   return header + "\n" + row + "\n";
 }
@@ -110,7 +117,7 @@ EvalRequest ParseEvalRequest(const EvalArguments& arguments) {
   request.stats = PathValue("--stats", arguments.stats);
   if (request.output == "-") request.output.clear();
   if (arguments.at) request.table = TableOfOne(arguments);
-  request.on_face = arguments.on_face.value_or("");
+  request.on_face = arguments.on_face;
   request.threads = ThreadsOf(arguments.threads);
   request.options.method = MethodOf(arguments.method);
   request.options.engine = EngineOf(arguments.engine);

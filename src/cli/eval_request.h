@@ -35,9 +35,9 @@ struct EvalRequest {
   SceneRequest scene;
   std::string receivers;  ///< path or "-"; "": see table
   std::string table;      ///< --at and its companions as a table of one row
-  std::string on_face;    ///< --on-face; the scene decides on its range
-  std::string output;     ///< path; "": standard output
-  std::string stats;      ///< path; "": none
+  std::optional<std::string> on_face;  ///< for OnFaceOf
+  std::string output;                  ///< path; "": standard output
+  std::string stats;                   ///< path; "": none
   OracleOptions options;
   int threads = 1;
 };

@@ -48,6 +48,17 @@ SceneRequest SceneRequestOf(const SceneArguments& scene) {
   return request;
 }
 
+OptionRow OnFaceOption(std::optional<std::string>& on_face) {
+  return {.name = "--on-face",
+          .target = &on_face,
+          .value = "N|NAME|auto[:D]",
+          .help =
+              "the face on which a receiver lies up to rounding, so that\n"
+              "it is not seen: its number; the nearest of an object or\n"
+              "group NAME; or auto, the nearest within rounding (or D)\n"
+              "that is turned like the normal"};
+}
+
 OptionRow ReceiversArgument(std::optional<std::string>& receivers) {
   return {.name = "RECEIVERS.csv",
           .target = &receivers,

@@ -38,6 +38,9 @@ std::vector<OptionRow> WithSceneOptions(std::vector<OptionRow> rows,
 /// Throws UsageError if a word is none that it may be.
 SceneRequest SceneRequestOf(const SceneArguments& scene);
 
+/// The option --on-face.
+OptionRow OnFaceOption(std::optional<std::string>& on_face);
+
 /// The argument RECEIVERS.csv, which may be left out unless the caller says
 /// otherwise.
 OptionRow ReceiversArgument(std::optional<std::string>& receivers);

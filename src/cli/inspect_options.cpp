@@ -47,11 +47,7 @@ std::vector<OptionRow> OptionsOf(InspectArguments& arguments) {
        .value = "nx,ny,nz",
        .help = "its normal",
        .required = true},
-      {.name = "--on-face",
-       .target = &arguments.on_face,
-       .value = "N",
-       .help = "the face on which the point lies, by its number: that face\n"
-               "and all in its plane are not seen"},
+      OnFaceOption(arguments.on_face),
       {.name = "-o,--output",
        .target = &arguments.output,
        .value = "VIEW.svg",

@@ -33,11 +33,10 @@ void NoteNoEmitter(const Scene& scene, const std::string& name) {
 
 /// Reads a whole table, row by row. Throws UserError with all defects
 /// together.
-void ReadTable(ByteSource& source, const std::string& name, int face_count,
-               const std::function<void(const Receiver&)>& take) {
-  ReceiverReader reader(source, name, face_count);
-  const DiagnosticList defects = ReadRows<ReceiverRow>(
-      reader, name, [&take](const ReceiverRow& row) { take(row.receiver); });
+void ReadTable(ByteSource& source, const std::string& name, FaceWords& faces,
+               const std::function<void(const ReceiverRow&)>& take) {
+  ReceiverReader reader(source, name, faces);
+  const DiagnosticList defects = ReadRows<ReceiverRow>(reader, name, take);
   if (defects.has_errors()) throw UserError(defects.Sorted());
 }
 
@@ -62,15 +61,15 @@ void NoteDarkness(const Scene& scene, std::span<const Receiver> receivers) {
 }
 
 ReceiverInput OpenReceivers(const std::string& path, const OutputPaths& outputs,
-                            int face_count) {
+                            FaceWords& faces) {
   CheckInput(outputs, path);
   auto file = std::make_unique<InputFile>(path);
   const std::string name = file->name();
   std::optional<std::uint64_t> total;
   if (file->CanRewind()) {
     total = 0;
-    ReadTable(*file, name, face_count,
-              [&total](const Receiver& /*receiver*/) { ++*total; });
+    ReadTable(*file, name, faces,
+              [&total](const ReceiverRow& /*row*/) { ++*total; });
     file->Rewind();
   }
   return {std::move(file), name, total};
@@ -78,13 +77,47 @@ ReceiverInput OpenReceivers(const std::string& path, const OutputPaths& outputs,
 
 std::vector<Receiver> LoadReceivers(const std::string& path,
                                     const OutputPaths& outputs,
-                                    int face_count) {
+                                    FaceWords& faces) {
   CheckInput(outputs, path);
   InputFile file(path);
   std::vector<Receiver> receivers;
-  ReadTable(file, file.name(), face_count,
-            [&receivers](const Receiver& r) { receivers.push_back(r); });
+  std::vector<FaceChoice> choices;
+  ReadTable(file, file.name(), faces, [&](const ReceiverRow& row) {
+    receivers.push_back(row.receiver);
+    choices.push_back(row.face);
+  });
+  FoundFaces found;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    SetFace(faces.scene(), choices[i], receivers[i], found);
+  NoteFoundFaces(found);
   return receivers;
+}
+
+FaceChoice OnFaceOf(const std::optional<std::string>& on_face,
+                    FaceWords& faces) {
+  if (!on_face) return {};
+  std::string defect = "the text is empty";
+  const std::optional<FaceChoice> choice =
+      on_face->empty() ? std::nullopt : faces.Parse(*on_face, defect);
+  if (!choice) throw UserError("--on-face: " + defect);
+  return *choice;
+}
+
+void NoteFoundFaces(const FoundFaces& found) {
+  const std::string text = FoundFacesText(found);
+  if (!text.empty()) PrintNote("--on-face: " + text);
+}
+
+void NoteBehindFaces(const Oracle& oracle,
+                     std::span<const Receiver> receivers) {
+  const auto is_dark = [&](const Receiver& receiver) {
+    return receiver.on_face == 0 && oracle.scene().IsBehindFace(receiver) &&
+           oracle.Evaluate(receiver).value == Rgb{};
+  };
+  const auto dark = std::ranges::count_if(receivers, is_dark);
+  const std::string text =
+      BehindFacesText(static_cast<std::uint64_t>(dark), receivers.size());
+  if (!text.empty()) PrintNote(text);
 }
 
 }  // namespace truelux

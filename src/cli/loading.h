@@ -11,12 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "truelux/irradiance.h"
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 
 #include "cli/input_arguments.h"
 #include "cli/output_paths.h"
 #include "text/byte_source.h"
+#include "text/face_choice.h"
 
 namespace truelux {
 
@@ -38,12 +40,24 @@ struct ReceiverInput {
 /// Opens a table ("-" is standard input) and, if it can be read twice, checks
 /// it whole. Throws UserError with all defects found, or if it is an output.
 ReceiverInput OpenReceivers(const std::string& path, const OutputPaths& outputs,
-                            int face_count);
+                            FaceWords& faces);
 
-/// The receivers of a whole table. Throws UserError with all defects, or if
-/// the table is an output, and Interruption.
+/// The receivers of a whole table, with their faces found. Throws UserError
+/// with all defects, or if the table is an output, and Interruption.
 std::vector<Receiver> LoadReceivers(const std::string& path,
-                                    const OutputPaths& outputs, int face_count);
+                                    const OutputPaths& outputs,
+                                    FaceWords& faces);
+
+/// What --on-face says; no face without it. Throws UserError if the scene has
+/// no such face, object or group.
+FaceChoice OnFaceOf(const std::optional<std::string>& on_face,
+                    FaceWords& faces);
+
+/// Prints how searches for faces went, if there were any.
+void NoteFoundFaces(const FoundFaces& found);
+
+/// Prints how many of the receivers get 0 and lie behind a face, if any do.
+void NoteBehindFaces(const Oracle& oracle, std::span<const Receiver> receivers);
 
 }  // namespace truelux
 

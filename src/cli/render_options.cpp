@@ -26,7 +26,8 @@ constexpr const char* kFilesHelp =
     "once more. --values has all its digits. A PNG is a picture: E by the\n"
     "white level and the sRGB curve, or with --false-colour one channel by\n"
     "colours of even steps, with a scale beside it and isolux lines.\n"
-    "--receivers-out has what eval and compare need to repeat every pixel.\n";
+    "--receivers-out has what eval and compare need to repeat every pixel.\n"
+    "A pixel lies on the face that it shows, unless --on-face names another.\n";
 
 constexpr const char* kExamples =
     "Examples:\n"
@@ -61,6 +62,7 @@ std::vector<OptionRow> ViewOptions(RenderArguments& arguments) {
        .target = &arguments.fov,
        .value = "DEGREES",
        .help = "the angle from the lower to the upper edge [degrees]"},
+      OnFaceOption(arguments.on_face),
       {.name = "--size",
        .target = &arguments.size,
        .value = "WxH|W",

@@ -208,6 +208,7 @@ RenderRequest ParseRenderRequest(const RenderArguments& arguments) {
   request.scene = SceneRequestOf(arguments.scene);
   ParseOutputs(arguments, request);
   request.subject = ParseSubject(arguments);
+  request.on_face = arguments.on_face;
   request.size = ParseSize(
       arguments.size, std::holds_alternative<std::string>(request.subject));
   ParseColours(arguments, request.wishes, request.style);

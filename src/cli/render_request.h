@@ -24,6 +24,7 @@ struct RenderArguments {
   SceneArguments scene;
   std::string output;
   std::optional<std::string> surface;
+  std::optional<std::string> on_face;
   std::optional<std::string> eye;
   std::optional<std::string> target;
   std::optional<std::string> up;
@@ -49,6 +50,7 @@ struct RenderRequest {
   OracleOptions options;
   int threads = 1;
   PictureSubject subject;
+  std::optional<std::string> on_face;  ///< for OnFaceOf
   PictureSize size;
   PixelWishes wishes;
   PictureStyle style;

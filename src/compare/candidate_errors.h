@@ -17,6 +17,7 @@
 #include "truelux/receiver.h"
 
 #include "explain/value_error.h"
+#include "text/face_choice.h"
 
 namespace truelux {
 
@@ -26,6 +27,7 @@ struct CandidateData {
   std::vector<std::string> value_names;  ///< of the compared channels: "E_r"
   std::vector<std::size_t> channels;     ///< which channels of the scene
   std::vector<Receiver> receivers;
+  FoundFaces found;        ///< how faces of the receivers were found
   std::vector<int> lines;  ///< of the receivers in the candidate's table
   std::vector<Rgb> values;
   std::vector<Rgb> truth;

@@ -42,8 +42,8 @@ std::string_view ChannelName(std::size_t channel) {
 
 CandidateReader::CandidateReader(ByteSource& source,
                                  const std::string& file_name,
-                                 const CandidateRules& rules)
-    : csv_(source, file_name), columns_(rules.face_count), rules_(rules) {}
+                                 const CandidateRules& rules, FaceWords& faces)
+    : csv_(source, file_name), columns_(faces), rules_(rules) {}
 
 bool CandidateReader::ReadHeader(std::vector<Diagnostic>& defects) {
   const std::size_t defects_before = defects.size();
@@ -128,7 +128,7 @@ CandidateReader::Status CandidateReader::Next(
   const Status status = NextRecord(csv_, record_, defects);
   if (status != Status::kRow) return status;
   const std::size_t defects_before = defects.size();
-  const std::optional<Receiver> receiver =
+  const std::optional<ReceiverFields> fields =
       columns_.Parse(csv_, record_, defects);
   if (!columns_.HasAllFields(record_)) return Status::kDefect;
   row.values = {};
@@ -145,7 +145,8 @@ CandidateReader::Status CandidateReader::Next(
     row.values[i] = value.value_or(0);
   }
   if (defects.size() != defects_before) return Status::kDefect;
-  row.receiver = *receiver;
+  row.receiver = fields->receiver;
+  row.face = fields->face;
   row.line = record_.line(0);
   return Status::kRow;
 }

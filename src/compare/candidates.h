@@ -16,6 +16,7 @@
 
 #include "text/byte_source.h"
 #include "text/csv.h"
+#include "text/face_choice.h"
 #include "text/receiver_columns.h"
 
 namespace truelux {
@@ -37,14 +38,14 @@ struct CandidateRules {
   /// All faces of the scene emit the same in red, green and blue, so that a
   /// column E needs no channel.
   bool is_grey = false;
-  int face_count = 0;  ///< of the scene: the largest on_face
 };
 
 /// One receiver of a candidate.
 struct CandidateRow {
-  Receiver receiver;
-  Rgb values{};  ///< entry c for CandidateReader::channels()[c], others 0
-  int line = 0;  ///< on which it begins in the table, from 1
+  Receiver receiver;  ///< without a face that has to be searched for
+  FaceChoice face;    ///< for SetFace
+  Rgb values{};       ///< entry c for CandidateReader::channels()[c], others 0
+  int line = 0;       ///< on which it begins in the table, from 1
 };
 
 /// Reads a candidate: the columns of a receivers table and those of the
@@ -54,9 +55,9 @@ class CandidateReader {
  public:
   using Status = RowStatus;
 
-  /// source must outlive the reader.
+  /// source, faces: must outlive the reader.
   CandidateReader(ByteSource& source, const std::string& file_name,
-                  const CandidateRules& rules);
+                  const CandidateRules& rules, FaceWords& faces);
 
   /// Reads the header; must be called once, first. False, and entries in
   /// `defects`, if a column is missing or stands twice, or if the columns do

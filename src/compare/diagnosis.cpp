@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 #include <utility>
 
 #include "compare/mistakes.h"
@@ -18,9 +19,26 @@ struct Explanation {
   MistakeFit fit;
 };
 
+/// That the receivers are what is wrong. Has no mistake's name.
+std::optional<Hypothesis> OnFaces(const MistakeTrial& trial) {
+  auto predicted = trial.ValuesOnFaces();
+  if (!predicted) return std::nullopt;
+  return Hypothesis{
+      .sentence =
+          "the candidate agrees when the receivers lie on their faces, "
+          "as --on-face auto takes them",
+      .predicted = std::move(*predicted)};
+}
+
 std::vector<Explanation> ExplanationsOf(MistakeTrial& trial, double tolerance,
                                         std::vector<std::string>& tried) {
   std::vector<Explanation> explanations;
+  // No mistake, and before all that predict the same.
+  if (std::optional<Hypothesis> on_faces = OnFaces(trial)) {
+    const MistakeFit fit = FitOf(trial.data(), *on_faces, tolerance);
+    if (fit.Explains(false))
+      explanations.push_back({std::move(*on_faces), fit});
+  }
   for (const Mistake& mistake : Mistakes()) {
     tried.emplace_back(mistake.name);
     for (Hypothesis& hypothesis : mistake.hypotheses(trial)) {
@@ -53,7 +71,8 @@ std::string NoiseText(const NoiseTraits& noise) {
                      ScientificText(noise.standard_error, 1), noise.receivers);
 }
 
-void NameMistake(std::vector<Explanation> explanations, Diagnosis& diagnosis) {
+void NameExplanation(std::vector<Explanation> explanations,
+                     Diagnosis& diagnosis) {
   const auto best = std::ranges::min_element(
       explanations, {}, [](const Explanation& e) { return e.fit.loss_after; });
   // The first of those that cannot be told apart.
@@ -62,15 +81,20 @@ void NameMistake(std::vector<Explanation> explanations, Diagnosis& diagnosis) {
         return PredictTheSame(e.hypothesis, best->hypothesis);
       });
   for (const Explanation& e : explanations) {
+    // Receivers off their faces are nobody's mistake.
+    if (named->hypothesis.mistake.empty()) break;
     if (&e != &*named && PredictTheSame(e.hypothesis, named->hypothesis))
       diagnosis.equally.push_back(e.hypothesis.sentence);
   }
-  diagnosis.verdict = Verdict::kMistake;
   diagnosis.mistake = named->hypothesis.mistake;
+  diagnosis.verdict =
+      diagnosis.mistake.empty() ? Verdict::kOffFaces : Verdict::kMistake;
   diagnosis.factor = named->hypothesis.factor;
   diagnosis.fit = named->fit;
-  diagnosis.text = fmt::format("{}: {}; {}", named->hypothesis.mistake,
-                               named->hypothesis.sentence, HowWell(named->fit));
+  diagnosis.text = fmt::format(
+      "{}: {}; {}",
+      diagnosis.mistake.empty() ? Name(diagnosis.verdict) : diagnosis.mistake,
+      named->hypothesis.sentence, HowWell(named->fit));
 }
 
 double MeanRelativeError(const Rgb& value, const Rgb& truth) {
@@ -118,6 +142,8 @@ std::string_view Name(Verdict verdict) {
       return "nothing fails";
     case Verdict::kMistake:
       return "mistake";
+    case Verdict::kOffFaces:
+      return "receivers off their faces";
     case Verdict::kNoise:
       return "noise";
     case Verdict::kUnexplained:
@@ -180,7 +206,7 @@ Diagnosis Diagnose(const Scene& scene, const CandidateData& data,
       ExplanationsOf(trial, tolerance, diagnosis.tried);
   diagnosis.notes = trial.notes;
   if (!explanations.empty()) {
-    NameMistake(std::move(explanations), diagnosis);
+    NameExplanation(std::move(explanations), diagnosis);
     return diagnosis;
   }
   if (diagnosis.noise && diagnosis.noise->looks_unbiased) {

@@ -22,11 +22,14 @@ namespace truelux {
 enum class Verdict {
   kNothingFails,  ///< every receiver passes; nothing was tried
   kMistake,       ///< a classic mistake explains the candidate
+  kOffFaces,      ///< the candidate is right, but its receivers lie behind
+                  ///< their faces by a rounding error
   kNoise,         ///< errors look like those of an unbiased Monte Carlo
   kUnexplained,
 };
 
-/// "nothing fails", "mistake", "noise", "unexplained".
+/// "nothing fails", "mistake", "receivers off their faces", "noise",
+/// "unexplained".
 [[nodiscard]] std::string_view Name(Verdict verdict);
 
 /// The relative errors of the lit receivers, each the mean over its channels

@@ -9,15 +9,18 @@
 #include "compare/candidate_errors.h"
 #include "compare/candidates.h"
 #include "text/byte_source.h"
+#include "text/face_choice.h"
 
 namespace truelux {
 
-/// Reads `source`, which messages call `name`, to its end. The truth is left
+/// Reads `source`, which messages call `name`, to its end, and finds the faces
+/// that have to be searched for. The truth is left
 /// empty. Throws UserError with all defects or if there is no receiver, and
 /// what the source throws.
 [[nodiscard]] CandidateData LoadCandidate(ByteSource& source,
                                           const std::string& name,
-                                          const CandidateRules& rules);
+                                          const CandidateRules& rules,
+                                          FaceWords& faces);
 
 }  // namespace truelux
 

@@ -83,6 +83,20 @@ std::vector<Rgb> MistakeTrial::ValuesWithout(std::span<const int> faces) {
   return Evaluate(WithoutFaces(scene_, faces), receivers);
 }
 
+std::optional<std::vector<Rgb>> MistakeTrial::ValuesOnFaces() const {
+  std::vector<Receiver> receivers = data_.receivers;
+  bool any = false;
+  for (Receiver& receiver : receivers) {
+    if (receiver.on_face != 0) continue;
+    const std::optional<NearFace> face = scene_.FaceNear(receiver);
+    if (!face) continue;
+    receiver.on_face = face->number;
+    any = true;
+  }
+  if (!any) return std::nullopt;
+  return Evaluate(scene_, receivers);
+}
+
 MistakeTrial MistakeTrial::On(const CandidateData& some) const {
   return {scene_, some, options_, evaluate_};
 }

@@ -71,6 +71,10 @@ class MistakeTrial {
   /// by on_face names another face in the same plane instead, if there is one.
   [[nodiscard]] std::vector<Rgb> ValuesWithout(std::span<const int> faces);
 
+  /// The scene at receivers that lie on their faces, as Scene::FaceNear finds
+  /// them where on_face names none; nothing if it finds no face.
+  [[nodiscard]] std::optional<std::vector<Rgb>> ValuesOnFaces() const;
+
   /// The same trial on some of its receivers. `some` must outlive it.
   [[nodiscard]] MistakeTrial On(const CandidateData& some) const;
 

@@ -25,6 +25,8 @@ struct Block {
   std::vector<ReceiverRow> rows;
   std::vector<Receiver> receivers;  ///< theirs
   std::vector<Irradiance> results;
+  FoundFaces faces;
+  std::uint64_t behind_faces = 0;
   std::string text;  ///< the rows with their results
 };
 
@@ -80,13 +82,45 @@ class BlockReader {
   bool ended_ = false;
 };
 
-/// Second stage, parallel between blocks and within one.
-void EvaluateBlock(const Oracle& oracle, char separator, Block& block,
-                   Progress& progress) {
-  block.results.resize(block.rows.size());
+void FindFaces(const Scene& scene, Block& block) {
+  block.faces = {};
   block.receivers.clear();
-  for (const ReceiverRow& row : block.rows)
+  for (const ReceiverRow& row : block.rows) {
     block.receivers.push_back(row.receiver);
+    SetFace(scene, row.face, block.receivers.back(), block.faces);
+  }
+}
+
+void CountBehindFaces(const Scene& scene, Block& block) {
+  block.behind_faces = 0;
+  for (std::size_t i = 0; i < block.receivers.size(); ++i) {
+    const Receiver& receiver = block.receivers[i];
+    const bool is_behind = block.results[i].value == Rgb{} &&
+                           receiver.on_face == 0 &&
+                           scene.IsBehindFace(receiver);
+    if (is_behind) ++block.behind_faces;
+  }
+}
+
+std::string FaceHeader(char separator) {
+  return separator + std::string(kOnFaceFoundColumn);
+}
+
+/// Appends the field of on_face_found.
+void AppendFace(std::string& text, int face, char separator) {
+  text += separator;
+  if (face > 0) {
+    text += std::to_string(face);
+  } else if (separator == ' ') {
+    text += "\"\"";  // between blanks nothing is no field
+  }
+}
+
+/// Second stage, parallel between blocks and within one.
+void EvaluateBlock(const Oracle& oracle, char separator, bool shows_faces,
+                   Block& block, Progress& progress) {
+  block.results.resize(block.rows.size());
+  FindFaces(oracle.scene(), block);
   // Isolated: a thread that waits for the rest of its block must not take up
   // the first stage meanwhile and wait there for input.
   tbb::this_task_arena::isolate([&] {
@@ -95,8 +129,11 @@ void EvaluateBlock(const Oracle& oracle, char separator, Block& block,
                      block.results[i] = irradiance;
                    });
   });
+  CountBehindFaces(oracle.scene(), block);
   for (std::size_t i = 0; i < block.rows.size(); ++i) {
     block.text += block.rows[i].text;
+    if (shows_faces)
+      AppendFace(block.text, block.receivers[i].on_face, separator);
     AppendResult(block.text, block.results[i], oracle.options().method,
                  separator);
     block.text += '\n';
@@ -115,21 +152,24 @@ void WriteBlock(const Block& block, OutputFile& output,
   }
   for (const Receiver& receiver : block.receivers)
     summary.sample.Take(receiver);
+  summary.faces += block.faces;
+  summary.behind_faces += block.behind_faces;
   summary.receivers += block.rows.size();
 }
 
 }  // namespace
 
 EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,
-                           OutputFile& output, int threads,
+                           OutputFile& output, const EvaluationTask& task,
                            Progress& progress) {
   EvaluationSummary summary;
   if (reader.has_header()) {
     output.Write(reader.header() +
+                 (task.shows_faces ? FaceHeader(reader.separator()) : "") +
                  ResultHeader(oracle.options().method, reader.separator()) +
                  "\n");
   }
-  const std::size_t block_count = 2 * static_cast<std::size_t>(threads);
+  const std::size_t block_count = 2 * static_cast<std::size_t>(task.threads);
   BlockReader blocks(reader, block_count, summary.defects);
   const auto read = [&blocks](tbb::flow_control& control) {
     Block* block = blocks.Next();
@@ -137,13 +177,14 @@ EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,
     return block;
   };
   const auto evaluate = [&](Block* block) {
-    EvaluateBlock(oracle, reader.separator(), *block, progress);
+    EvaluateBlock(oracle, reader.separator(), task.shows_faces, *block,
+                  progress);
     return block;
   };
   const auto write = [&](const Block* block) {
     WriteBlock(*block, output, summary);
   };
-  WithThreads(threads, [&] {
+  WithThreads(task.threads, [&] {
     tbb::parallel_pipeline(block_count,
                            tbb::make_filter<void, Block*>(
                                tbb::filter_mode::serial_in_order, read) &

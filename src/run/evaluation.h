@@ -13,6 +13,7 @@
 
 #include "run/output_file.h"
 #include "run/progress.h"
+#include "text/face_choice.h"
 #include "text/receiver_sample.h"
 #include "text/receivers.h"
 
@@ -26,9 +27,18 @@ struct EvaluationSummary {
   std::uint64_t overflowing = 0;  ///< of these, with an infinite value
   /// Of these, with a value that the formula does not give or not bound.
   std::uint64_t unanswered = 0;
-  ReceiverSample sample;  ///< of the receivers
+  FoundFaces faces;                ///< how faces of the receivers were found
+  std::uint64_t behind_faces = 0;  ///< of these, with no face and no light, see
+                                   ///< Scene::IsBehindFace
+  ReceiverSample sample;           ///< of the receivers
   /// What ended the input early: the defects of the first defective row.
   std::vector<Diagnostic> defects;
+};
+
+/// How a table is evaluated.
+struct EvaluationTask {
+  int threads = 1;
+  bool shows_faces = false;  ///< the output has a column on_face_found
 };
 
 /// Evaluates every receiver that `reader` still has (its header has been
@@ -39,7 +49,8 @@ struct EvaluationSummary {
 /// within one receiver per thread after the program was interrupted, and what
 /// the reader, the oracle and the output throw.
 EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,
-                           OutputFile& output, int threads, Progress& progress);
+                           OutputFile& output, const EvaluationTask& task,
+                           Progress& progress);
 
 }  // namespace truelux
 

@@ -4,7 +4,12 @@
 #ifndef TRUELUX_SCENE_SCENE_DATA_H_
 #define TRUELUX_SCENE_SCENE_DATA_H_
 
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "truelux/scene.h"
@@ -25,7 +30,22 @@ struct SceneArrays {
 /// Appends the backs of the facets first_facet .. end - 1 of the last face.
 void AppendBacks(int first_facet, int end, SceneArrays& arrays);
 
-struct Scene::Data : SceneArrays {};
+class FaceFinder;
+class SceneIndex;
+
+struct Scene::Data : SceneArrays {
+  /// What is made when it is first asked for.
+  struct Lazy {
+    std::once_flag index_is_made;
+    std::shared_ptr<const SceneIndex> index;
+    std::mutex mutex;  ///< of finders
+    /// By the name of an object or a group.
+    std::map<std::string, std::shared_ptr<const FaceFinder>, std::less<>>
+        finders;
+  };
+
+  mutable Lazy lazy;
+};
 
 }  // namespace truelux
 

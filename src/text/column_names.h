@@ -14,8 +14,11 @@ namespace truelux {
 inline constexpr std::array<std::string_view, 6> kReceiverColumns = {
     "x", "y", "z", "nx", "ny", "nz"};
 
-/// Name of the column for Receiver::on_face.
+/// Name of the column that chooses Receiver::on_face.
 inline constexpr std::string_view kOnFaceColumn = "on_face";
+
+/// Name of the column for Receiver::on_face as it was found.
+inline constexpr std::string_view kOnFaceFoundColumn = "on_face_found";
 
 }  // namespace truelux
 

@@ -2,7 +2,6 @@
 #include "text/receiver_columns.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <utility>
 
@@ -27,24 +26,6 @@ std::string MessageOf(std::string_view column, std::string_view word,
 }
 
 }  // namespace
-
-std::optional<int> ParseOnFace(std::string_view text, int face_count,
-                               std::string& defect) {
-  const std::string_view trimmed = TrimBlanks(text);
-  if (trimmed.empty()) return 0;
-  const std::optional<double> number = ParseNumber(trimmed);
-  if (!number || std::trunc(*number) != *number) {
-    defect = fmt::format("{} is not the number of a face", Quoted(trimmed));
-    return std::nullopt;
-  }
-  if (*number < 1 || *number > face_count) {
-    defect =
-        fmt::format("{} is out of range; the scene has {} {}", Quoted(trimmed),
-                    face_count, face_count == 1 ? "face" : "faces");
-    return std::nullopt;
-  }
-  return static_cast<int>(*number);
-}
 
 Receiver ParseReceiver(const std::array<std::string, 6>& texts,
                        std::vector<FieldDefect>& defects) {
@@ -115,7 +96,7 @@ void ReceiverColumns::Find(const CsvReader& csv, const CsvRecord& header,
                   Quoted(header.text()))));
 }
 
-std::optional<Receiver> ReceiverColumns::Parse(
+std::optional<ReceiverFields> ReceiverColumns::Parse(
     const CsvReader& csv, const CsvRecord& row,
     std::vector<Diagnostic>& defects) const {
   const std::size_t defects_before = defects.size();
@@ -131,24 +112,23 @@ std::optional<Receiver> ReceiverColumns::Parse(
     texts[i] = row.Value(columns_[i]);
   }
   std::vector<FieldDefect> field_defects;
-  Receiver receiver = ParseReceiver(texts, field_defects);
+  ReceiverFields fields;
+  fields.receiver = ParseReceiver(texts, field_defects);
   for (FieldDefect& defect : field_defects) {
     defects.push_back(
         csv.Error(row.line(columns_[defect.index]), std::move(defect.message)));
   }
-  if (on_face_column_) {
-    std::string message;
-    const std::optional<int> face =
-        ParseOnFace(row.Value(*on_face_column_), face_count_, message);
-    if (!face) {
-      defects.push_back(
-          csv.Error(row.line(*on_face_column_),
-                    fmt::format("{}: {}", kOnFaceColumn, message)));
-    }
-    receiver.on_face = face.value_or(0);
+  std::string message;
+  const std::optional<FaceChoice> face =
+      faces_.Parse(on_face_column_ ? row.Value(*on_face_column_) : "", message);
+  if (!face) {
+    defects.push_back(csv.Error(row.line(*on_face_column_),
+                                fmt::format("{}: {}", kOnFaceColumn, message)));
   }
   if (defects.size() != defects_before) return std::nullopt;
-  return receiver;
+  fields.face = *face;
+  fields.receiver.on_face = face->number;
+  return fields;
 }
 
 void ReceiverColumns::TakeUsual() {

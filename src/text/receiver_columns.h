@@ -16,13 +16,9 @@
 
 #include "text/column_names.h"
 #include "text/csv.h"
+#include "text/face_choice.h"
 
 namespace truelux {
-
-/// Number of the face that a text names: 1 .. face_count, or 0 if it is empty.
-/// Nothing if it is no such number; `defect` then says why.
-std::optional<int> ParseOnFace(std::string_view text, int face_count,
-                               std::string& defect);
 
 /// A receiver from the texts of x, y, z, nx, ny, nz. For each text that is no
 /// number, or for a normal that is zero, `defects` gets an entry: which of the
@@ -55,12 +51,18 @@ class ColumnNames {
   std::vector<std::string> names_;
 };
 
+/// What the columns of a row say.
+struct ReceiverFields {
+  Receiver receiver;  ///< without a face that has to be searched for
+  FaceChoice face;    ///< for SetFace
+};
+
 /// Where a table has its receivers: the columns x, y, z, nx, ny, nz and, if
 /// there, on_face.
 class ReceiverColumns {
  public:
-  /// face_count: number of faces of the scene, the largest on_face.
-  explicit ReceiverColumns(int face_count) : face_count_(face_count) {}
+  /// faces: must outlive the object.
+  explicit ReceiverColumns(FaceWords& faces) : faces_(faces) {}
 
   /// Reads the header's record. Adds a defect for every column that is missing
   /// or stands twice.
@@ -70,11 +72,13 @@ class ReceiverColumns {
   /// Takes a table without header: six columns, in the usual order.
   void TakeUsual();
 
-  /// The receiver of a row. Nothing, and a defect for each thing that is
+  /// The receiver of a row; without a column on_face, and where that is empty,
+  /// with the usual choice of a face. Nothing, and a defect for each thing that is
   /// wrong, if it has not as many fields as the header or if one of these
   /// columns does not hold what it should.
-  std::optional<Receiver> Parse(const CsvReader& csv, const CsvRecord& row,
-                                std::vector<Diagnostic>& defects) const;
+  std::optional<ReceiverFields> Parse(const CsvReader& csv,
+                                      const CsvRecord& row,
+                                      std::vector<Diagnostic>& defects) const;
 
   /// Whether a row has as many fields as the header.
   [[nodiscard]] bool HasAllFields(const CsvRecord& row) const {
@@ -82,7 +86,7 @@ class ReceiverColumns {
   }
 
  private:
-  int face_count_;
+  FaceWords& faces_;
   std::size_t column_count_ = 0;
   std::array<std::size_t, kReceiverColumns.size()> columns_{};
   std::optional<std::size_t> on_face_column_;

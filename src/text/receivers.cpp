@@ -13,14 +13,15 @@ namespace truelux {
 namespace {
 
 bool IsResultColumn(std::string_view name) {
-  return name.starts_with("E_") || name.starts_with("bound_");
+  return name.starts_with("E_") || name.starts_with("bound_") ||
+         name == kOnFaceFoundColumn;
 }
 
 }  // namespace
 
 ReceiverReader::ReceiverReader(ByteSource& source, const std::string& file_name,
-                               int face_count)
-    : csv_(source, file_name), columns_(face_count) {}
+                               FaceWords& faces)
+    : csv_(source, file_name), columns_(faces) {}
 
 bool ReceiverReader::ReadHeader(std::vector<Diagnostic>& defects) {
   if (!ReadHeaderRecord(csv_, record_, defects)) return false;
@@ -50,11 +51,12 @@ ReceiverReader::Status ReceiverReader::Next(ReceiverRow& row,
     const Status status = NextRecord(csv_, record_, defects);
     if (status != Status::kRow) return status;
   }
-  const std::optional<Receiver> receiver =
+  const std::optional<ReceiverFields> fields =
       columns_.Parse(csv_, record_, defects);
-  if (!receiver) return Status::kDefect;
+  if (!fields) return Status::kDefect;
   row.text = record_.text();
-  row.receiver = *receiver;
+  row.receiver = fields->receiver;
+  row.face = fields->face;
   return Status::kRow;
 }
 

@@ -18,8 +18,9 @@ namespace truelux {
 
 /// One row of a receivers table.
 struct ReceiverRow {
-  std::string text;  ///< the input's bytes without the line end
-  Receiver receiver;
+  std::string text;   ///< the input's bytes without the line end
+  Receiver receiver;  ///< without a face that has to be searched for
+  FaceChoice face;    ///< for SetFace
 };
 
 /// Reads a receivers table: a header with at least x, y, z, nx, ny, nz in any
@@ -29,13 +30,13 @@ class ReceiverReader {
  public:
   using Status = RowStatus;
 
-  /// face_count: number of faces of the scene, the largest on_face.
+  /// source, faces: must outlive the reader.
   ReceiverReader(ByteSource& source, const std::string& file_name,
-                 int face_count);
+                 FaceWords& faces);
 
   /// Reads the header; must be called once, first. False, and entries in
   /// `defects`, if it cannot be used: a column is missing or stands twice, or
-  /// has the name of a result (E_*, bound_*).
+  /// has the name of a result (E_*, bound_*, on_face_found).
   bool ReadHeader(std::vector<Diagnostic>& defects);
 
   /// The header as it stands in the input; "" if it has none.

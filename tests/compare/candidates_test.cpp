@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/scenes.h"
+
 namespace truelux {
 namespace {
 
@@ -21,10 +23,11 @@ struct CandidateText {
   Texts defects;
 };
 
-CandidateText Read(std::string_view text, CandidateRules rules = {}) {
-  rules.face_count = 3;
+CandidateText Read(std::string_view text, const CandidateRules& rules = {}) {
+  const Scene scene = testing::SceneOf(3);
+  FaceWords faces(scene);
   TextSource source(text);
-  CandidateReader reader(source, "t.csv", rules);
+  CandidateReader reader(source, "t.csv", rules, faces);
   CandidateText result;
   std::vector<Diagnostic> defects;
   result.header_ok = reader.ReadHeader(defects);

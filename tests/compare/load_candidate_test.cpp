@@ -8,14 +8,17 @@
 #include <gtest/gtest.h>
 
 #include "run/user_error.h"
+#include "support/scenes.h"
 
 namespace truelux {
 namespace {
 
 CandidateData Load(std::string_view text) {
   TextSource source(text);
-  return LoadCandidate(source, "mine.csv",
-                       {.quantity = Quantity::kFormFactor, .face_count = 3});
+  const Scene scene = testing::SceneOf(3);
+  FaceWords faces(scene);
+  return LoadCandidate(source, "mine.csv", {.quantity = Quantity::kFormFactor},
+                       faces);
 }
 
 /// What is wrong with a table: "line: message" for each defect.

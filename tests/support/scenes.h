@@ -33,6 +33,14 @@ inline Scene MakeScene(const std::vector<TestFace>& faces) {
   return *result.value;
 }
 
+/// A scene of so many faces.
+inline Scene SceneOf(int face_count) {
+  std::vector<TestFace> faces;
+  for (int i = 0; i < face_count; ++i)
+    faces.push_back({{{0, 0, 1.0 * i}, {1, 0, 1.0 * i}, {0, 1, 1.0 * i}}, {}});
+  return MakeScene(faces);
+}
+
 inline Rgb Evaluate(const Scene& scene, const Receiver& receiver,
                     const OracleOptions& options = {}) {
   return Oracle(scene, options).Evaluate(receiver).value;

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/scenes.h"
 #include "text/byte_source.h"
 #include "text/read_rows.h"
 #include "text/receivers.h"
@@ -27,12 +28,14 @@ void PrintTo(const Dress& dress, std::ostream* out) {
   *out << dress.name;
 }
 
-class OtherTable : public testing::TestWithParam<Dress> {};
+class OtherTable : public ::testing::TestWithParam<Dress> {};
 
 TEST_P(OtherTable, HoldsTheSameReceivers) {
   const Dress& dress = GetParam();
   TextSource source(dress.text);
-  ReceiverReader reader(source, "t", 1);
+  const Scene scene = testing::SceneOf(1);
+  FaceWords faces(scene);
+  ReceiverReader reader(source, "t", faces);
   std::vector<ReceiverRow> rows;
   const DiagnosticList defects = ReadRows<ReceiverRow>(
       reader, "t", [&](const ReceiverRow& row) { rows.push_back(row); });
@@ -50,7 +53,7 @@ TEST_P(OtherTable, HoldsTheSameReceivers) {
 
 INSTANTIATE_TEST_SUITE_P(
     Dresses, OtherTable,
-    testing::Values(
+    ::testing::Values(
         Dress{"Commas", "x,y,z,nx,ny,nz\n1.5,0,-2,0,0,1\n3,4,5,0,1,0\n",
               "x,y,z,nx,ny,nz", ','},
         Dress{"Semicolons", "x;y;z;nx;ny;nz\n1.5;0;-2;0;0;1\n3;4;5;0;1;0\n",
@@ -90,7 +93,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 std::vector<std::string> DefectsOf(std::string_view text) {
   TextSource source(text);
-  ReceiverReader reader(source, "t", 1);
+  const Scene scene = testing::SceneOf(1);
+  FaceWords faces(scene);
+  ReceiverReader reader(source, "t", faces);
   std::vector<std::string> texts;
   const DiagnosticList defects =
       ReadRows<ReceiverRow>(reader, "t", [](const ReceiverRow& /*row*/) {});

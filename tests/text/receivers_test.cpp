@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/scenes.h"
 #include "text/byte_source.h"
 
 namespace truelux {
@@ -24,7 +25,9 @@ struct Table {
 
 Table Read(std::string_view text) {
   TextSource source(text);
-  ReceiverReader reader(source, "t.csv", kFaceCount);
+  const Scene scene = testing::SceneOf(kFaceCount);
+  FaceWords faces(scene);
+  ReceiverReader reader(source, "t.csv", faces);
   Table table;
   std::vector<Diagnostic> defects;
   table.header_ok = reader.ReadHeader(defects);
@@ -91,7 +94,7 @@ struct BadHeader {
   Texts defects;
 };
 
-class ReceiversHeader : public testing::TestWithParam<BadHeader> {};
+class ReceiversHeader : public ::testing::TestWithParam<BadHeader> {};
 
 TEST_P(ReceiversHeader, IsRefused) {
   const Table table = Read(GetParam().text);
@@ -101,7 +104,7 @@ TEST_P(ReceiversHeader, IsRefused) {
 
 INSTANTIATE_TEST_SUITE_P(
     Receivers, ReceiversHeader,
-    testing::Values(
+    ::testing::Values(
         BadHeader{"",
                   {"t.csv:1: error: no header; expected the columns "
                    "x,y,z,nx,ny,nz"}},
@@ -159,7 +162,8 @@ TEST(Receivers, EveryDefectOfARowIsReportedAndTheNextRowIsRead) {
              "faces",
              "t.csv:4: error: 6 fields, but the header has 7",
              "t.csv:5: error: 8 fields, but the header has 7",
-             "t.csv:6: error: on_face: '1.5' is not the number of a face",
+             "t.csv:6: error: on_face: '1.5' is not the number of a face, the "
+             "name of an object or group, or auto",
              "t.csv:7: error: on_face: '-1' is out of range; the scene has 7 "
              "faces"}));
   EXPECT_EQ(table.rows.size(), 1U);

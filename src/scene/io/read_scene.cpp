@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/covered_emitters.h"
 #include "scene/diagnostic_list.h"
 #include "scene/io/face_material.h"
 #include "scene/io/library_search.h"
@@ -94,6 +95,29 @@ void AddFaces(const ObjContents& obj,
   }
 }
 
+/// What is hidden by another face in its own plane is easily overlooked.
+void NoteCovered(const Scene& scene, DiagnosticList& diagnostics) {
+  const std::vector<CoveredEmitter> covered = CoveredEmittersOf(scene);
+  if (covered.empty()) return;
+  const auto line_of = [&](int face) {
+    return scene.faces()[static_cast<std::size_t>(face)].line;
+  };
+  const bool is_one = covered.size() == 1;
+  diagnostics.Note(
+      line_of(covered.front().face),
+      std::to_string(covered.size()) +
+          (is_one ? " face that emits is" : " faces that emit are") +
+          " covered, wholly or in part, by an earlier one in the same plane, "
+          "which is seen instead (" +
+          FirstTen(covered.size(),
+                   [&](std::size_t i) {
+                     return "line " + std::to_string(line_of(covered[i].face)) +
+                            " by line " +
+                            std::to_string(line_of(covered[i].cover));
+                   }) +
+          ")");
+}
+
 /// The scene of an OBJ text; nothing if the lists hold an error.
 Result<Scene> BuildScene(const ObjContents& obj,
                          const std::vector<FaceMaterial>& materials,
@@ -111,6 +135,7 @@ Result<Scene> BuildScene(const ObjContents& obj,
     if (parser_failed && d.severity == Severity::kNote) continue;
     diagnostics.Add(std::move(d));
   }
+  if (result.ok() && !parser_failed) NoteCovered(*result.value, diagnostics);
   result.diagnostics = diagnostics.Sorted();
   bool has_errors = diagnostics.has_errors();
   for (const DiagnosticList& list : library.diagnostics()) {

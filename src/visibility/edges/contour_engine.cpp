@@ -19,15 +19,9 @@ namespace truelux {
 
 ContourEngine::ContourEngine(const Scene& scene)
     : scene_(scene),
-      pieces_(scene),
+      index_(SceneIndex::Of(scene)),
       triangle_normals_(
           FilteredTriangleNormals(scene.vertices(), scene.triangles())) {
-  IdVector<PieceId, Box> boxes(pieces_.pieces().size());
-  for (const PieceId piece : boxes.ids()) {
-    for (const VertexId vertex : pieces_.CornersOf(piece))
-      boxes[piece].Include(VerticesOf(scene)[vertex]);
-  }
-  tree_ = TriangleTree(boxes.values());
   const auto facets = FacetsOf(scene);
   for (const FacetId facet : facets.ids()) {
     if (!Emits(FacesOf(scene)[FaceOf(facets[facet])])) continue;

@@ -13,6 +13,7 @@
 #include "exact/filter.h"
 #include "exact/predicate_kind.h"
 #include "scene/index/convex_pieces.h"
+#include "scene/index/scene_index.h"
 #include "scene/index/shaft.h"
 #include "scene/index/triangle_tree.h"
 #include "visibility/contour.h"
@@ -34,7 +35,7 @@ class ContourEngine {
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
-  [[nodiscard]] const ConvexPieces& pieces() const { return pieces_; }
+  [[nodiscard]] const ConvexPieces& pieces() const { return index_.pieces(); }
 
   [[nodiscard]] IdSpan<TriangleId, const FilteredPlane> triangle_normals()
       const {
@@ -56,13 +57,12 @@ class ContourEngine {
   [[nodiscard]] ShaftSource ShaftsTo(FacetId facet) const;
 
   /// The boxes of the pieces.
-  [[nodiscard]] const TriangleTree& tree() const { return tree_; }
+  [[nodiscard]] const TriangleTree& tree() const { return index_.tree(); }
 
  private:
   Scene scene_;
-  ConvexPieces pieces_;
+  const SceneIndex& index_;  ///< lives as long as the scene's data
   IdVector<TriangleId, FilteredPlane> triangle_normals_;
-  TriangleTree tree_;
   IdVector<EmitterId, Emitter> emitters_;
 };
 

@@ -45,13 +45,15 @@ class MtllibLine : public testing::TestWithParam<Line> {};
 
 TEST_P(MtllibLine, FindsItsFiles) {
   const Line& line = GetParam();
-  TextFiles files{{"in/a.obj", std::string("mtllib ").append(line.line).append(
-                                   "\nv 0 0 0\nv 1 0 0\nv 0 1 0\n")}};
+  TextFiles files{
+      {"in/a.obj", std::string("mtllib ").append(line.line).append("\n")}};
   int material = 0;
   for (const std::string& file : line.files) {
+    const std::string height = std::to_string(material);
     const std::string name = "m" + std::to_string(material++);
     files["in/" + file] = "newmtl " + name + "\nKe 1\n";
-    files["in/a.obj"] += "usemtl " + name + "\nf 1 2 3\n";
+    files["in/a.obj"] += "v 0 0 " + height + "\nv 1 0 " + height + "\nv 0 1 " +
+                         height + "\nusemtl " + name + "\nf -3 -2 -1\n";
   }
   const Result<Scene> result = ReadSceneFrom(files, "in/a.obj");
   EXPECT_TRUE(result.ok());

@@ -116,7 +116,11 @@ ExitStatus RunCompare(const CompareArguments& arguments) {
   if (request.json) json.emplace(*request.json);
 
   const CandidateReport report = Compare(request, outputs);
-  text.Write(CandidateText(report));
+  try {
+    text.Write(CandidateText(report));
+  } catch (const ReaderGone&) {
+    // The exit status still tells how the comparison went.
+  }
   if (json) json->Write(CandidateJson(report, VersionText()));
   // Names are given at the very end, when nothing can fail but the naming.
   text.Finish();

@@ -14,7 +14,9 @@
 #include "cli/parser.h"
 #include "run/exit_status.h"
 #include "run/interrupt.h"
+#include "run/last_words.h"
 #include "run/messages.h"
+#include "run/output_file.h"
 #include "run/user_error.h"
 
 namespace truelux {
@@ -50,6 +52,8 @@ ExitStatus RunGuarded(int argc, char** argv) {
   } catch (const Interruption&) {
     PrintLine("interrupted");
     return ExitStatus::kInterrupted;
+  } catch (const ReaderGone&) {
+    return ExitStatus::kDone;
   } catch (const std::bad_alloc&) {
     PrintLine("internal error: out of memory");
   } catch (const std::exception& error) {
@@ -64,6 +68,11 @@ ExitStatus RunGuarded(int argc, char** argv) {
 
 }  // namespace
 }  // namespace truelux
+
+/// Before what is initialized at the start, since that may lack memory, too.
+[[gnu::constructor(101)]] static void BeforeAllElse() {
+  truelux::EndWhereNothingHelps();
+}
 
 int main(int argc, char** argv) {
   truelux::OccupyStandardStreams();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/option_values.h"
+#include "run/messages.h"
 #include "run/parallel.h"
 #include "text/results.h"
 
@@ -73,7 +74,13 @@ Emission EmissionOf(const std::string& word) {
 }
 
 int ThreadsOf(const std::string& word) {
-  return static_cast<int>(WholeNumberValue("--threads", word, 1, kMaxThreads));
+  const auto wanted =
+      static_cast<int>(WholeNumberValue("--threads", word, 1, kMaxThreads));
+  const int had = ThreadsToHave(wanted);
+  if (had < wanted) {
+    PrintNote(fmt::format("the system gives {} of {} threads", had, wanted));
+  }
+  return had;
 }
 
 }  // namespace truelux

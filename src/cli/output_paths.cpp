@@ -2,20 +2,17 @@
 #include "cli/output_paths.h"
 
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <unistd.h>
 #include <vector>
 
 #include "run/file_id.h"
-#include "run/output_file.h"
+#include "run/file_place.h"
 #include "run/user_error.h"
 
 namespace truelux {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A file of the command line: how to call it, and which it is.
 struct NamedFile {
@@ -38,21 +35,13 @@ bool IsSameFile(const NamedFile& a, const NamedFile& b) {
   return a.id && b.id && *a.id == *b.id && !a.id->IsCharacterDevice();
 }
 
-/// Whether two paths will be the same file that does not exist yet.
-bool IsSameNewFile(const std::string& a, const std::string& b) {
-  std::error_code error;
-  const fs::path first = fs::weakly_canonical(FollowLinks(a), error);
-  if (error) return false;
-  const fs::path second = fs::weakly_canonical(FollowLinks(b), error);
-  return !error && first == second;
-}
-
 /// Whether two outputs would end in one place.
 bool Collide(const OutputPath& a, const OutputPath& b) {
   const NamedFile first = Output(a);
   const NamedFile second = Output(b);
   if (IsSameFile(first, second)) return true;
-  return !first.id && !second.id && IsSameNewFile(a.path, b.path);
+  return !first.id && !second.id && !a.path.empty() && !b.path.empty() &&
+         IsSamePlace(a.path, b.path);
 }
 
 }  // namespace

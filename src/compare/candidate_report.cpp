@@ -80,7 +80,8 @@ class CandidateWriter {
            Short(r.median), Short(r.percentile_95), Short(r.percentile_99),
            Short(r.max));
     }
-    Line("absolute error  max {}", Short(s.max_absolute));
+    if (s.lit + s.dark > 0)
+      Line("absolute error  max {}", Short(s.max_absolute));
     if (s.lit > 0) {
       std::string bins;
       for (std::size_t i = 0; i < s.ulps.counts.size(); ++i) {

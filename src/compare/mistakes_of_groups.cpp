@@ -10,7 +10,7 @@
 #include "compare/mistake_fit.h"
 #include "compare/mistakes.h"
 #include "scene/emitters.h"
-#include "scene/group_selection.h"
+#include "scene/io/quoted.h"
 #include "scene/scene_variants.h"
 #include "text/evenly_picked.h"
 
@@ -28,22 +28,30 @@ struct Leavable {
 /// that contains every face cannot be left out on its own.
 std::vector<Leavable> LeavablesOf(const Scene& scene) {
   const auto names = scene.group_names();
-  std::map<std::string, std::vector<int>> groups_of_objects;
-  std::vector<std::pair<std::string, std::vector<int>>> choices;
+  std::vector<std::vector<int>> faces_of(names.size());
+  for (std::size_t i = 0; i < scene.faces().size(); ++i) {
+    const Face& face = scene.faces()[i];
+    if (face.facet_count == 0) continue;
+    faces_of[static_cast<std::size_t>(face.group)].push_back(
+        static_cast<int>(i));
+  }
+  std::map<std::string, std::vector<std::size_t>> groups_of_objects;
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> choices;
   for (std::size_t g = 0; g < names.size(); ++g) {
-    const auto group = static_cast<int>(g);
-    choices.push_back({names[g], {group}});
-    groups_of_objects[names[g].substr(0, names[g].find('/'))].push_back(group);
+    choices.push_back({names[g], {g}});
+    groups_of_objects[names[g].substr(0, names[g].find('/'))].push_back(g);
   }
   for (const auto& [object, groups] : groups_of_objects) {
     if (groups.size() > 1) choices.push_back({object, groups});
   }
   std::vector<Leavable> leavables;
   for (auto& [name, groups] : choices) {
-    Leavable leavable{std::move(name), FacesOf(scene, groups), false};
-    std::erase_if(leavable.faces, [&](int face) {
-      return scene.faces()[static_cast<std::size_t>(face)].facet_count == 0;
-    });
+    Leavable leavable{std::move(name), {}, false};
+    for (const std::size_t group : groups) {
+      leavable.faces.insert(leavable.faces.end(), faces_of[group].begin(),
+                            faces_of[group].end());
+    }
+    std::ranges::sort(leavable.faces);
     if (leavable.faces.empty()) continue;
     if (leavable.faces.size() == scene.faces().size()) continue;
     leavable.emits = std::ranges::any_of(leavable.faces, [&](int face) {
@@ -58,7 +66,7 @@ std::vector<Hypothesis> HypothesesOf(const Leavable& leavable,
                                      MistakeTrial& trial) {
   const std::string name = leavable.name.empty()
                                ? "what has no object or group name"
-                               : fmt::format("'{}'", leavable.name);
+                               : Quoted(leavable.name);
   const std::vector<Rgb> without = trial.ValuesWithout(leavable.faces);
   if (!leavable.emits) {
     return {{.sentence =

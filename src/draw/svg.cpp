@@ -3,6 +3,7 @@
 
 #include <array>
 #include <fmt/format.h>
+#include <iterator>
 #include <utf8.h>
 
 namespace truelux {
@@ -30,16 +31,29 @@ std::string FillAttributes(std::size_t series, MarkerFill fill) {
                      colour);
 }
 
+constexpr char32_t kReplacement = U'\xFFFD';
+
+/// Controls may not stand in XML, those from 0x80 on not in HTML.
+bool IsControl(char32_t c) {
+  return c < 0x20 || (c >= 0x7F && c < 0xA0);
+}
+
+/// Numbers that Unicode keeps for no character, U+FFFE in every plane among
+/// them.
+bool IsNoCharacter(char32_t c) {
+  return (c & 0xFFFEU) == 0xFFFEU || (c >= 0xFDD0 && c <= 0xFDEF);
+}
+
 }  // namespace
 
 std::string EscapedXml(std::string_view text) {
   std::string escaped;
   const bool is_utf8 = utf8::is_valid(text.begin(), text.end());
-  for (const char c : text) {
-    if (!is_utf8 && static_cast<unsigned char>(c) >= 0x80U) {
-      escaped += "\uFFFD";
-      continue;
-    }
+  for (auto at = text.begin(); at != text.end();) {
+    const bool is_ascii = static_cast<unsigned char>(*at) < 0x80U;
+    const char32_t c = is_utf8    ? utf8::next(at, text.end())
+                       : is_ascii ? static_cast<unsigned char>(*at++)
+                                  : (++at, kReplacement);
     switch (c) {
       case '&':
         escaped += "&amp;";
@@ -54,7 +68,10 @@ std::string EscapedXml(std::string_view text) {
         escaped += "&quot;";
         break;
       default:
-        escaped += static_cast<unsigned char>(c) < ' ' || c == '\x7F' ? ' ' : c;
+        utf8::append(IsControl(c)       ? U' '
+                     : IsNoCharacter(c) ? kReplacement
+                                        : c,
+                     std::back_inserter(escaped));
     }
   }
   return escaped;

@@ -11,8 +11,9 @@
 namespace truelux {
 
 /// The text with &, <, > and quotes written so that XML and HTML read it back.
-/// Control characters, which XML does not allow, become blanks; if the text is
-/// no UTF-8, every byte of it that is not ASCII becomes U+FFFD.
+/// Controls, which XML or HTML do not allow, become blanks, and what is no
+/// character of Unicode U+FFFD; if the text is no UTF-8, every byte of it that
+/// is not ASCII becomes U+FFFD.
 std::string EscapedXml(std::string_view text);
 
 /// A text at a point. anchor: "start", "middle" or "end"; more: further

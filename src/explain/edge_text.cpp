@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <fmt/format.h>
 
+#include "scene/io/quoted.h"
 #include "scene/scene_access.h"
 #include "text/results.h"
 
@@ -31,7 +32,7 @@ std::string TextOfFace(const Scene& scene, int face) {
   const std::string& group =
       scene.group_names()[static_cast<std::size_t>(f.group)];
   std::string where = f.line > 0 ? fmt::format("line {}", f.line) : "";
-  if (!group.empty()) where += (where.empty() ? "" : ", ") + group;
+  if (!group.empty()) where += (where.empty() ? "" : ", ") + Shown(group);
   return fmt::format("face {}{}", face,
                      where.empty() ? "" : " (" + where + ")");
 }

@@ -29,7 +29,8 @@ class LegendPainter {
  public:
   LegendPainter(const Raster<Rgba8>& picture, const ImageLegend& legend)
       : legend_(legend),
-        scale_(std::max(1, (picture.height() + kHeightShift) / kHeightStep)) {
+        scale_(std::clamp((picture.height() + kHeightShift) / kHeightStep, 1,
+                          std::max(1, picture.width() / kNarrow))) {
     int width = 0;
     const auto widen = [&](const std::string& text, int left) {
       width = std::max(width, left + TextWidth(text, 1));
@@ -79,6 +80,9 @@ class LegendPainter {
   // From 480 pixels on a dot is two pixels, from 780 on three, ..
   static constexpr int kHeightStep = 300;
   static constexpr int kHeightShift = 120;
+  // A dot is at most a 64th of the picture's width, or a pixel, so that the
+  // legend of a tall picture, about 100 dots wide, does not outgrow memory.
+  static constexpr int kNarrow = 64;
 
   [[nodiscard]] int SwatchHeight() const {
     const auto count = static_cast<int>(legend_.swatches.size());

@@ -14,6 +14,7 @@
 #include "image/surface_pixels.h"
 #include "run/user_error.h"
 #include "scene/group_selection.h"
+#include "scene/io/quoted.h"
 
 namespace truelux {
 namespace {
@@ -22,16 +23,17 @@ namespace {
 std::string NamesText(const Scene& scene) {
   constexpr std::size_t kMost = 20;
   std::vector<std::string> names;
+  std::vector<bool> is_named(scene.group_names().size(), false);
   for (const Face& face : scene.faces()) {
-    const std::string& name =
-        scene.group_names()[static_cast<std::size_t>(face.group)];
-    if (!name.empty() && std::ranges::find(names, name) == names.end())
-      names.push_back(name);
+    const auto group = static_cast<std::size_t>(face.group);
+    const std::string& name = scene.group_names()[group];
+    if (!name.empty() && !is_named[group]) names.push_back(Quoted(name));
+    is_named[group] = true;
   }
   if (names.empty()) return "the scene names no objects and no groups";
   const std::size_t more = names.size() > kMost ? names.size() - kMost : 0;
   names.resize(names.size() - more);
-  std::string text = fmt::format("there are '{}'", fmt::join(names, "', '"));
+  std::string text = fmt::format("there are {}", fmt::join(names, ", "));
   if (more > 0) text += fmt::format(" and {} more", more);
   return text;
 }
@@ -39,14 +41,14 @@ std::string NamesText(const Scene& scene) {
 SurfaceFrame FrameNamed(const Scene& scene, const std::string& name) {
   const std::vector<int> faces = FacesOf(scene, GroupsNamed(scene, name));
   if (faces.empty()) {
-    throw UserError(fmt::format("--surface: no object or group '{}'; {}", name,
-                                NamesText(scene)));
+    throw UserError(fmt::format("--surface: no object or group {}; {}",
+                                Quoted(name), NamesText(scene)));
   }
   std::string defect;
   std::optional<SurfaceFrame> frame = SurfaceFrameOf(scene, faces, defect);
   if (!frame) {
-    throw UserError(
-        fmt::format("--surface: '{}' is no flat surface: {}", name, defect));
+    throw UserError(fmt::format("--surface: {} is no flat surface: {}",
+                                Quoted(name), defect));
   }
   return std::move(*frame);
 }
@@ -55,9 +57,9 @@ std::vector<Diagnostic> NotesOn(const Scene& scene, const std::string& name,
                                 const SurfaceFrame& frame) {
   if (frame.reversed.empty()) return {};
   return {{Severity::kNote, "", 0,
-           fmt::format("the faces of '{}' do not all look to one side ({} and "
+           fmt::format("the faces of {} do not all look to one side ({} and "
                        "{} differ): each pixel has the side of its own face",
-                       name, TextOfFace(scene, frame.faces.front() + 1),
+                       Quoted(name), TextOfFace(scene, frame.faces.front() + 1),
                        TextOfFace(scene, frame.reversed.front() + 1))}};
 }
 

@@ -4,23 +4,38 @@
 #include <atomic>
 #include <csignal>
 #include <poll.h>
+#include <sys/time.h>
+
+#include "run/exit_status.h"
+#include "run/last_words.h"
 
 namespace truelux {
 namespace {
 
-/// The only mutable global of the program: a signal handler can reach nothing
-/// else.
+/// Global, since a signal handler can reach nothing else.
 std::atomic<bool> interrupted = false;
+/// How long work may go on that does not look up: below the half second within
+/// which every signal is to be heard.
+constexpr int kPatienceMicroseconds = 350'000;
+
 static_assert(std::atomic<bool>::is_always_lock_free,
               "a signal handler may touch only lock-free atomics");
 
-extern "C" void SetInterrupted(int /*signal*/) {
-  interrupted = true;
+extern "C" void EndDeaf(int /*signal*/) {
+  EndNow("interrupted\n", static_cast<int>(ExitStatus::kInterrupted));
 }
 
-void Catch(int signal) {
+/// Asks the program to stop, and sees to it that it does.
+extern "C" void SetInterrupted(int signal) {
+  if (interrupted.exchange(true)) EndDeaf(signal);
+  itimerval patience = {};
+  patience.it_value.tv_usec = kPatienceMicroseconds;
+  setitimer(ITIMER_REAL, &patience, nullptr);
+}
+
+void Catch(int signal, void (*handler)(int)) {
   struct sigaction action = {};
-  action.sa_handler = SetInterrupted;
+  action.sa_handler = handler;
   sigaction(signal, &action, nullptr);
 }
 
@@ -37,12 +52,13 @@ void WaitFor(int fd, short events) {
 
 void CatchSignals() {
   // Also if it was ignored before, as in a shell's background jobs.
-  Catch(SIGINT);
-  Catch(SIGTERM);
+  Catch(SIGALRM, EndDeaf);
+  Catch(SIGINT, SetInterrupted);
+  Catch(SIGTERM, SetInterrupted);
   struct sigaction hangup = {};
   sigaction(SIGHUP, nullptr, &hangup);
   const bool nohup = hangup.sa_handler == SIG_IGN;
-  if (!nohup) Catch(SIGHUP);
+  if (!nohup) Catch(SIGHUP, SetInterrupted);
   struct sigaction ignore = {};
   ignore.sa_handler = SIG_IGN;
   // Writing then fails with a reason, and the temporary file is removed.

@@ -9,8 +9,10 @@ namespace truelux {
 /// Thrown where work is left because the program was interrupted.
 struct Interruption {};
 
-/// From now on SIGINT, SIGTERM and SIGHUP only make Interrupted() true, and
-/// writing to a closed pipe is an error like any other.
+/// From now on SIGINT, SIGTERM and SIGHUP make Interrupted() true. What does not
+/// look at it in time, however deep in a library it is, is ended by EndNow
+/// after a third of a second, or at the second signal. Writing to a closed pipe
+/// is an error like any other.
 void CatchSignals();
 
 /// Whether a signal has asked the program to stop.

@@ -2,15 +2,16 @@
 #include "run/messages.h"
 
 #include <cstdio>
-#include <fmt/format.h>
 
 #include "run/output_file.h"
+#include "scene/io/quoted.h"
 
 namespace truelux {
 
 void PrintLine(std::string_view line) {
-  // In one piece, so that lines of several programs do not mix.
-  const std::string text = fmt::format("{}\n", line);
+  // In one piece, so that lines of several programs do not mix; on one line,
+  // whatever names a user has given.
+  const std::string text = VisiblePath(line) + "\n";
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

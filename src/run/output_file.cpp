@@ -10,23 +10,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "run/file_place.h"
 #include "run/interrupt.h"
 #include "run/user_error.h"
 
 namespace truelux {
 namespace fs = std::filesystem;
-
-std::string FollowLinks(const std::string& path) {
-  constexpr int kMaxLinks = 40;  // as the kernel
-  fs::path at = path;
-  std::error_code error;
-  for (int i = 0; i < kMaxLinks; ++i) {
-    const fs::path target = fs::read_symlink(at, error);
-    if (error) return at.string();
-    at = at.parent_path() / target;
-  }
-  return at.string();
-}
 
 OutputFile::OutputFile(const std::string& path) : name_(path) {
   const std::optional<FileId> standard_output = FileIdOf(STDOUT_FILENO);
@@ -67,13 +56,20 @@ void OutputFile::OpenTemporary() {
   if (fs::path(path_).filename().empty()) {
     throw UserError(name_, "cannot write", EISDIR);
   }
-  for (int i = 0; fd_ < 0; ++i) {
+  for (int i = 0;; ++i) {
     temporary_ =
         (folder / fmt::format(".truelux-{}-{}.tmp", getpid(), i)).string();
+    if (!kept_.Keep(temporary_.c_str())) {
+      temporary_.clear();
+      throw UserError(name_, "cannot write", ENAMETOOLONG);
+    }
     fd_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
                kReadWriteForAll);
-    if (fd_ < 0 && errno != EEXIST) {
-      const int reason = errno;
+    if (fd_ >= 0) return;
+    // Not this program's file, or none at all.
+    const int reason = errno;
+    kept_.Forget();
+    if (reason != EEXIST) {
       temporary_.clear();
       throw UserError(name_, "cannot write", reason);
     }
@@ -104,6 +100,8 @@ void OutputFile::Write(std::string_view text) {
       text.remove_prefix(static_cast<std::size_t>(n));
     } else if (errno == EAGAIN) {
       WaitUntilWritable(fd_);
+    } else if (errno == EPIPE && fd_ == STDOUT_FILENO) {
+      throw ReaderGone{};
     } else if (errno != EINTR) {
       throw UserError(name_, "cannot write", errno);
     }
@@ -123,6 +121,7 @@ void OutputFile::Commit() {
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
     throw UserError(name_, "cannot write", errno);
   }
+  kept_.Forget();
   temporary_.clear();
 }
 

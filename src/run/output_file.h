@@ -9,8 +9,13 @@
 #include <string_view>
 
 #include "run/file_id.h"
+#include "run/last_words.h"
 
 namespace truelux {
+
+/// Thrown when nobody reads standard output any more (`| head`): all that was
+/// wanted has been written.
+struct ReaderGone {};
 
 /// A file, or standard output, to be written once.
 ///
@@ -20,7 +25,8 @@ namespace truelux {
 /// standard output is, is written directly.
 ///
 /// Errors are thrown as UserError; while it waits for the reader of a pipe,
-/// an interruption as Interruption.
+/// an interruption as Interruption; that the reader of standard output has gone
+/// as ReaderGone.
 class OutputFile {
  public:
   /// path: "" or "-" is standard output.
@@ -44,13 +50,10 @@ class OutputFile {
   std::string name_;       ///< for messages
   std::string path_;       ///< final path, links followed; see temporary_
   std::string temporary_;  ///< path; "": written directly or committed
+  TemporaryName kept_;     ///< temporary_, for an end in a hurry
   int fd_ = -1;
   bool may_block_ = false;
 };
-
-/// Where a path leads when its symbolic links are followed; the last one may
-/// lead to a file that does not exist yet.
-std::string FollowLinks(const std::string& path);
 
 }  // namespace truelux
 

@@ -2,10 +2,14 @@
 #include "run/parallel.h"
 
 #include <algorithm>
+#include <latch>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include "base/receiver_block.h"
 #include "run/interrupt.h"
@@ -14,6 +18,21 @@ namespace truelux {
 
 int DefaultThreads() {
   return std::min(kMaxThreads, tbb::info::default_concurrency());
+}
+
+int ThreadsToHave(int wanted) {
+  std::vector<std::thread> started;
+  std::latch all_tried(1);
+  try {
+    while (static_cast<int>(started.size()) + 1 < wanted)
+      started.emplace_back([&all_tried] { all_tried.wait(); });
+  } catch (const std::system_error&) {
+    // No more than these.
+  }
+  all_tried.count_down();
+  for (std::thread& thread : started)
+    thread.join();
+  return static_cast<int>(started.size()) + 1;
 }
 
 void WithThreads(int threads, const std::function<void()>& work) {

@@ -21,6 +21,11 @@ inline constexpr int kMaxThreads = 1024;
 /// The number of threads that suits this computer, at most kMaxThreads.
 int DefaultThreads();
 
+/// How many threads the system gives, 1 .. wanted: limits of users and of
+/// containers refuse some. Tried by starting so many at once. Others may use
+/// them up meanwhile.
+int ThreadsToHave(int wanted);
+
 /// Runs `work` so that what it starts in parallel uses up to `threads` threads,
 /// also if there are fewer processors.
 void WithThreads(int threads, const std::function<void()>& work);

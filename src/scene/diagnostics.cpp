@@ -3,10 +3,12 @@
 
 #include <string>
 
+#include "scene/io/quoted.h"
+
 namespace truelux {
 
 std::string Diagnostic::Text() const {
-  std::string text = file;
+  std::string text = VisiblePath(file);
   if (line > 0) {
     text += file.empty() ? "line " : ":";
     text += std::to_string(line);

@@ -27,7 +27,8 @@ std::optional<FaceChoice> FaceWords::Parse(std::string_view text,
     return ParseAuto(word, defect);
   const std::optional<double> number = ParseNumber(word);
   if (!number || std::trunc(*number) != *number) {
-    if (!GroupsNamed(scene_, word).empty()) return SearchOf(word, {word, {}});
+    if (searches_.contains(word) || !GroupsNamed(scene_, word).empty())
+      return SearchOf(word, {word, {}});
     defect = fmt::format(
         "{} is not the number of a face, the name of an object or group, or "
         "auto",

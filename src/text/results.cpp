@@ -63,7 +63,7 @@ void AppendJson(std::string& text, const Json& json, std::size_t level = 0) {
     return;
   }
   if (!json.is_object()) {
-    text += json.dump();
+    text += json.dump(-1, ' ', false, Json::error_handler_t::replace);
     return;
   }
   const bool is_broken = level < kBrokenLevels;

@@ -34,11 +34,19 @@ TEST(Svg, TextsAreEscaped) {
 
 TEST(Svg, TextsThatAreUtf8StayAsTheyAre) {
   for (const char* text :
-       {"\xC2\x80", "\xDF\xBF", "\xE0\xA0\x80", "\xED\x9F\xBF",  // U+D7FF
+       {"\xC2\xA0", "\xDF\xBF", "\xE0\xA0\x80", "\xED\x9F\xBF",  // U+D7FF
         "\xEE\x80\x80", "\xEF\xBF\xBD", "\xF0\x90\x80\x80",
-        "\xF4\x8F\xBF\xBF"}) {  // U+10FFFF
+        "\xF4\x8F\xBF\xBD"}) {  // U+10FFFD
     EXPECT_EQ(EscapedXml(text), text);
   }
+}
+
+TEST(Svg, WhatIsNoCharacterIsReplaced) {
+  for (const char* text : {"\xEF\xBF\xBE", "\xEF\xBF\xBF", "\xEF\xB7\x90",
+                           "\xF0\x9F\xBF\xBE", "\xF4\x8F\xBF\xBF"})
+    EXPECT_EQ(EscapedXml(text), "\uFFFD");
+  for (const char* text : {"\x01", "\x1F", "\x7F", "\xC2\x80", "\xC2\x9F"})
+    EXPECT_EQ(EscapedXml(text), " ");
 }
 
 TEST(Svg, BytesThatAreNotAsciiAreReplacedIfAnyIsNotUtf8) {

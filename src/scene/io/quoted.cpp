@@ -16,12 +16,17 @@ bool IsInsideCharacter(char c) {
   return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;  // UTF-8
 }
 
-void AppendVisibly(char c, std::string& text) {
+bool IsControl(char c) {
   const auto byte = static_cast<unsigned char>(c);
-  if (byte >= 0x20 && byte != 0x7F) {
+  return byte < 0x20 || byte == 0x7F;
+}
+
+void AppendVisibly(char c, std::string& text) {
+  if (!IsControl(c)) {
     text += c;
     return;
   }
+  const auto byte = static_cast<unsigned char>(c);
   constexpr std::array kDigits = {'0', '1', '2', '3', '4', '5', '6', '7',
                                   '8', '9', 'a', 'b', 'c', 'd', 'e', 'f'};
   text.append("\\x");
@@ -41,6 +46,19 @@ std::string Quoted(std::string_view word) {
     AppendVisibly(c, quoted);
   quoted.append(size < word.size() ? "...'" : "'");
   return quoted;
+}
+
+std::string Shown(std::string_view name) {
+  const bool is_printable = std::ranges::none_of(name, IsControl);
+  return is_printable && name.size() <= kLongest ? std::string(name)
+                                                 : Quoted(name);
+}
+
+std::string VisiblePath(std::string_view path) {
+  std::string text;
+  for (const char c : path)
+    AppendVisibly(c, text);
+  return text;
 }
 
 std::string NumberInText(double value) {

@@ -14,6 +14,14 @@ namespace truelux {
 /// characters as \xHH.
 std::string Quoted(std::string_view word);
 
+/// A name as it is if it can be read so: printable and not longer than Quoted
+/// shows; else as Quoted shows it.
+std::string Shown(std::string_view name);
+
+/// A file's name for the start of a message: control characters as \\xHH, so
+/// that the message stays on one line.
+std::string VisiblePath(std::string_view path);
+
 /// The shortest decimal that reads back to the same number, for messages.
 std::string NumberInText(double value);
 

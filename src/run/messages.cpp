@@ -3,15 +3,15 @@
 
 #include <cstdio>
 
+#include "base/visible_text.h"
 #include "run/output_file.h"
-#include "scene/io/quoted.h"
 
 namespace truelux {
 
 void PrintLine(std::string_view line) {
   // In one piece, so that lines of several programs do not mix; on one line,
   // whatever names a user has given.
-  const std::string text = VisiblePath(line) + "\n";
+  const std::string text = Visible(line) + "\n";
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

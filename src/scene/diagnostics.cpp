@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "scene/io/quoted.h"
+#include "base/visible_text.h"
 
 namespace truelux {
 
 std::string Diagnostic::Text() const {
-  std::string text = VisiblePath(file);
+  std::string text = Visible(file);
   if (line > 0) {
     text += file.empty() ? "line " : ":";
     text += std::to_string(line);

@@ -205,7 +205,8 @@ TEST(Figure7, ThinTrianglesAreAThousandAndThin) {
     ASSERT_EQ(face.corner_count, 3);
     for (int k = 0; k < 3; ++k) {
       const int corner =
-          scene.corners()[static_cast<std::size_t>(face.first_corner + k)];
+          scene.corners()[static_cast<std::size_t>(face.first_corner) +
+                          static_cast<std::size_t>(k)];
       const Point3& p = scene.vertices()[static_cast<std::size_t>(corner)];
       // Above the pictured floor, but for tips that reach over its rim.
       EXPECT_LE(std::max(std::abs(p.x), std::abs(p.y)), 4.5);

@@ -68,7 +68,7 @@ TEST(ExrImage, IsReadBackByTheLibrary) {
   EXPECT_EQ(header.dataWindow().max.y, 40);
   EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("scene").value(),
             "room.obj");
-  std::vector<float> pixels(70 * 41 * 4);
+  std::vector<float> pixels(std::size_t{70} * 41 * 4);
   Imf::FrameBuffer buffer;
   const char* const names[] = {"R", "G", "B", "A"};
   for (std::size_t k = 0; k < 4; ++k) {
@@ -76,12 +76,13 @@ TEST(ExrImage, IsReadBackByTheLibrary) {
     buffer.insert(
         names[k],
         Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(pixels.data() + k), 16,
-                   16 * 70));
+                   std::size_t{16} * 70));
   }
   file.setFrameBuffer(buffer);
   file.readPixels(0, 40);
   const auto at = [&](int x, int y) {
-    const auto i = static_cast<std::size_t>(4 * (y * 70 + x));
+    const auto i =
+        4 * (static_cast<std::size_t>(y) * 70 + static_cast<std::size_t>(x));
     return std::vector<float>(pixels.begin() + static_cast<long>(i),
                               pixels.begin() + static_cast<long>(i) + 4);
   };

@@ -2,10 +2,10 @@
 #include "scene/io/quoted.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 #include "base/shortest_decimal.h"
+#include "base/visible_text.h"
 
 namespace truelux {
 namespace {
@@ -16,24 +16,6 @@ bool IsInsideCharacter(char c) {
   return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;  // UTF-8
 }
 
-bool IsControl(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  return byte < 0x20 || byte == 0x7F;
-}
-
-void AppendVisibly(char c, std::string& text) {
-  if (!IsControl(c)) {
-    text += c;
-    return;
-  }
-  const auto byte = static_cast<unsigned char>(c);
-  constexpr std::array kDigits = {'0', '1', '2', '3', '4', '5', '6', '7',
-                                  '8', '9', 'a', 'b', 'c', 'd', 'e', 'f'};
-  text.append("\\x");
-  text += kDigits[byte >> 4U];
-  text += kDigits[byte & 0xFU];
-}
-
 }  // namespace
 
 std::string Quoted(std::string_view word) {
@@ -41,9 +23,7 @@ std::string Quoted(std::string_view word) {
   while (size > 0 && size < word.size() && IsInsideCharacter(word[size])) {
     --size;
   }
-  std::string quoted("'");
-  for (const char c : word.substr(0, size))
-    AppendVisibly(c, quoted);
+  std::string quoted = "'" + Visible(word.substr(0, size));
   quoted.append(size < word.size() ? "...'" : "'");
   return quoted;
 }
@@ -52,13 +32,6 @@ std::string Shown(std::string_view name) {
   const bool is_printable = std::ranges::none_of(name, IsControl);
   return is_printable && name.size() <= kLongest ? std::string(name)
                                                  : Quoted(name);
-}
-
-std::string VisiblePath(std::string_view path) {
-  std::string text;
-  for (const char c : path)
-    AppendVisibly(c, text);
-  return text;
 }
 
 std::string NumberInText(double value) {

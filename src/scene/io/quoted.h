@@ -18,10 +18,6 @@ std::string Quoted(std::string_view word);
 /// shows; else as Quoted shows it.
 std::string Shown(std::string_view name);
 
-/// A file's name for the start of a message: control characters as \\xHH, so
-/// that the message stays on one line.
-std::string VisiblePath(std::string_view path);
-
 /// The shortest decimal that reads back to the same number, for messages.
 std::string NumberInText(double value);
 

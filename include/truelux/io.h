@@ -11,6 +11,7 @@
 #include "truelux/diagnostics.h"
 #include "truelux/export.h"
 #include "truelux/scene.h"
+#include "truelux/stop.h"
 
 namespace truelux {
 
@@ -21,9 +22,11 @@ struct ReadOptions {
   bool lenient = false;
   /// Faces that do not emit and whose material has an opacity d (or 1 - Tr)
   /// below this are left out, with a note. Else all faces are opaque.
-  std::optional<double> opaque_from;
+  std::optional<double> opaque_from{};
   /// Faces that emit do so to both sides.
   bool two_sided = false;
+  /// Looked at while files are read; if it is set, ReadScene throws Stopped.
+  const StopFlag* stop = nullptr;
 };
 
 /// Reads a Wavefront OBJ and the MTL files that it names

@@ -19,6 +19,7 @@
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 #include "truelux/statistics.h"
+#include "truelux/stop.h"
 #include "truelux/visibility.h"
 
 namespace truelux {
@@ -76,6 +77,9 @@ struct OracleOptions {
   /// bound holds what is cut off, at most M / (1 + half_side^2) (Stark 2000,
   /// Lemma 1).
   double half_side = 0x1p20;
+  /// Looked at before every receiver and every source; if it is set, every
+  /// method that takes receivers throws Stopped.
+  const StopFlag* stop = nullptr;
 };
 
 /// Irradiance at a receiver, with how it was found.

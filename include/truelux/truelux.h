@@ -24,6 +24,7 @@
 #include "truelux/scene.h"
 #include "truelux/sphere.h"
 #include "truelux/statistics.h"
+#include "truelux/stop.h"
 #include "truelux/version.h"
 #include "truelux/visibility.h"
 

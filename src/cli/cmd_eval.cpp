@@ -2,6 +2,8 @@
 #include "cli/cmd_eval.h"
 
 #include <chrono>
+#include <cstdint>
+#include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
@@ -11,14 +13,17 @@
 
 #include "truelux/formulas.h"
 #include "truelux/irradiance.h"
+#include "truelux/stop.h"
 #include "truelux/version.h"
 
 #include "cli/loading.h"
 #include "cli/output_paths.h"
+#include "cli/part_key.h"
 #include "run/evaluation.h"
 #include "run/interrupt.h"
 #include "run/messages.h"
 #include "run/output_file.h"
+#include "run/part_rows.h"
 #include "run/progress.h"
 #include "run/user_error.h"
 #include "text/receivers.h"
@@ -43,6 +48,7 @@ class Stopwatch {
 OutputPaths Outputs(const EvalRequest& request) {
   OutputPaths outputs = {{"--output", request.output}};
   if (!request.stats.empty()) outputs.push_back({"--stats", request.stats});
+  if (!request.part.empty()) outputs.push_back({"--resume", request.part});
   return outputs;
 }
 
@@ -64,7 +70,7 @@ EvaluationTask TaskOf(const EvalRequest& request, FaceWords& faces) {
 
 /// Streams the table through the oracle.
 EvaluationSummary EvaluateTable(const Oracle& oracle, ReceiverInput& input,
-                                FaceWords& faces, OutputFile& output,
+                                FaceWords& faces, RowSink& sink,
                                 const EvaluationTask& task) {
   ReceiverReader reader(*input.source, input.name, faces);
   std::vector<Diagnostic> defects;
@@ -75,7 +81,7 @@ EvaluationSummary EvaluateTable(const Oracle& oracle, ReceiverInput& input,
         "ny, nz, and the output has no header");
   }
   Progress progress(input.total);
-  EvaluationSummary summary = Evaluate(oracle, reader, output, task, progress);
+  EvaluationSummary summary = Evaluate(oracle, reader, sink, task, progress);
   if (!summary.defects.empty()) throw UserError(std::move(summary.defects));
   return summary;
 }
@@ -104,6 +110,25 @@ void NoteDarkness(const Scene& scene, const EvaluationSummary& summary) {
   NoteDarkness(scene, summary.sample.kept());
 }
 
+/// Says where a run goes on.
+void NoteDone(const PartRows& part, std::optional<std::uint64_t> total) {
+  if (const auto done = part.done()) {
+    PrintNote(fmt::format("{} has {} of {} receivers already", part.path(),
+                          done->receivers, total.value_or(0)));
+  }
+}
+
+/// What is left of an interrupted run.
+void NoteKept(const EvalRequest& request, const std::optional<PartRows>& part) {
+  if (part) {
+    const auto done = part->done();
+    PrintNote(fmt::format("{} keeps {} receivers; the same command goes on",
+                          part->path(), done ? done->receivers : 0));
+  } else if (!request.output.empty()) {
+    PrintNote("nothing was kept; --resume keeps what is done");
+  }
+}
+
 void NoteFaces(const EvaluationSummary& summary) {
   NoteFoundFaces(summary.faces);
   const std::string text =
@@ -125,18 +150,37 @@ ExitStatus RunEval(const EvalArguments& arguments) {
   report.options = request.options;
   report.threads = request.threads;
   const Stopwatch loading;
-  const Oracle oracle(LoadScene(request.scene, Outputs(request)),
+  std::vector<std::filesystem::path> files;
+  const Oracle oracle(LoadScene(request.scene, Outputs(request), &files),
                       request.options);
   FaceWords faces(oracle.scene());
-  const EvaluationTask task = TaskOf(request, faces);
+  EvaluationTask task = TaskOf(request, faces);
   ReceiverInput input = OpenReceivers(request, faces);
   const auto left_out = oracle.scene().left_out();
   report.left_out.assign(left_out.begin(), left_out.end());
   report.load_seconds = loading.Seconds();
 
   const Stopwatch evaluating;
-  const EvaluationSummary summary =
-      EvaluateTable(oracle, input, faces, output, task);
+  std::optional<PartRows> part;
+  if (!request.part.empty()) {
+    part.emplace(request.part, PartKey(request, files));
+    task.done = part->done();
+    NoteDone(*part, input.total);
+  }
+  const EvaluationSummary summary = [&] {
+    OutputRows rows(output);
+    RowSink& sink = part ? static_cast<RowSink&>(*part) : rows;
+    try {
+      return EvaluateTable(oracle, input, faces, sink, task);
+    } catch (const Interruption&) {
+      NoteKept(request, part);
+      throw;
+    } catch (const Stopped&) {
+      NoteKept(request, part);
+      throw;
+    }
+  }();
+  if (part) part->CopyTo(output);
   report.evaluate_seconds = evaluating.Seconds();
   report.receivers = summary.receivers;
   report.statistics = summary.statistics;
@@ -154,6 +198,7 @@ ExitStatus RunEval(const EvalArguments& arguments) {
   StopIfInterrupted();
   output.Commit();
   if (stats) stats->Commit();
+  if (part) part->Remove();
   return ExitStatus::kDone;
 }
 

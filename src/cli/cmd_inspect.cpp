@@ -115,7 +115,7 @@ ExitStatus RunInspect(const InspectArguments& arguments) {
   if (request.json) json.emplace(*request.json);
 
   const Oracle oracle(LoadScene(request.scene, outputs),
-                      {.emission = request.emission});
+                      {.emission = request.emission, .stop = InterruptFlag()});
   const InspectedView inspected = LookAround(oracle, request);
   if (picture) picture->Write(ViewSvg(inspected, request.picture));
   if (json) json->Write(ViewJson(inspected));

@@ -77,6 +77,10 @@ std::vector<OptionRow> OptionsOf(EvalArguments& arguments) {
        .target = &arguments.output,
        .value = "OUT.csv",
        .help = "where to write; by default standard output"},
+      {.name = "--resume",
+       .target = &arguments.resume,
+       .help = "keep what is done in OUT.csv.part, and go on from it if it\n"
+               "is there; give it from the first run on"},
       {.name = "--stats",
        .target = &arguments.stats,
        .value = "FILE.json",

@@ -12,6 +12,8 @@
 
 #include "cli/option_values.h"
 #include "cli/oracle_arguments.h"
+#include "run/file_place.h"
+#include "run/interrupt.h"
 #include "run/user_error.h"
 #include "text/receivers.h"
 
@@ -108,6 +110,19 @@ std::string TableOfOne(const EvalArguments& arguments) {
 
 }  // namespace
 
+/// Where the part of an output is kept; what is piped cannot be gone on with.
+std::string PartOf(const EvalRequest& request) {
+  if (request.output.empty())
+    throw UsageError("--resume needs --output, a file");
+  if (request.receivers.empty() || request.receivers == "-") {
+    throw UsageError(
+        "--resume needs a table of receivers in a file that can be read again");
+  }
+  if (!request.stats.empty())
+    throw UsageError("--stats is about a whole run; not with --resume");
+  return FollowLinks(request.output) + ".part";
+}
+
 EvalRequest ParseEvalRequest(const EvalArguments& arguments) {
   CheckCombination(arguments);
   EvalRequest request;
@@ -116,12 +131,14 @@ EvalRequest ParseEvalRequest(const EvalArguments& arguments) {
   request.output = PathValue("--output", arguments.output);
   request.stats = PathValue("--stats", arguments.stats);
   if (request.output == "-") request.output.clear();
+  if (arguments.resume) request.part = PartOf(request);
   if (arguments.at) request.table = TableOfOne(arguments);
   request.on_face = arguments.on_face;
   request.threads = ThreadsOf(arguments.threads);
   request.options.method = MethodOf(arguments.method);
   request.options.engine = EngineOf(arguments.engine);
   request.options.emission = EmissionOf(arguments.emission);
+  request.options.stop = InterruptFlag();
   ParseFormula(arguments, request.options);
   return request;
 }

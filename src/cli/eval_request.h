@@ -21,6 +21,7 @@ struct EvalArguments {
   std::optional<std::string> normal;
   std::optional<std::string> on_face;
   std::optional<std::string> output;
+  bool resume = false;
   std::optional<std::string> stats;
   std::string method;
   std::string engine;
@@ -38,6 +39,7 @@ struct EvalRequest {
   std::optional<std::string> on_face;  ///< for OnFaceOf
   std::string output;                  ///< path; "": standard output
   std::string stats;                   ///< path; "": none
+  std::string part;  ///< path of what --resume keeps; "": none
   OracleOptions options;
   int threads = 1;
 };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/option_values.h"
+#include "run/interrupt.h"
 #include "run/user_error.h"
 
 namespace truelux {
@@ -38,6 +39,7 @@ SceneRequest SceneRequestOf(const SceneArguments& scene) {
   request.path = PathValue("SCENE.obj", scene.path);
   request.options.lenient = scene.lenient;
   request.options.two_sided = scene.two_sided;
+  request.options.stop = InterruptFlag();
   if (!scene.opaque_from) return request;
   request.options.opaque_from = ParseNumber(*scene.opaque_from);
   const std::optional<double>& limit = request.options.opaque_from;

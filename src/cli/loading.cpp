@@ -42,16 +42,18 @@ void ReadTable(ByteSource& source, const std::string& name, FaceWords& faces,
 
 }  // namespace
 
-Scene LoadScene(const SceneRequest& request, const OutputPaths& outputs) {
+Scene LoadScene(const SceneRequest& request, const OutputPaths& outputs,
+                std::vector<std::filesystem::path>* files) {
   CheckInput(outputs, request.path);
-  auto [scene, files] = ReadSceneAndFiles(request.path, request.options);
+  auto [scene, read] = ReadSceneAndFiles(request.path, request.options);
   // Which MTL files are inputs is known only when the OBJ has been read.
-  for (const std::filesystem::path& file : files)
+  for (const std::filesystem::path& file : read)
     CheckInput(outputs, file.string());
   StopIfInterrupted();
   if (!scene.ok()) throw UserError(std::move(scene.diagnostics));
   Print(scene.diagnostics);
   NoteNoEmitter(*scene.value, request.path);
+  if (files != nullptr) *files = std::move(read);
   return std::move(*scene.value);
 }
 

@@ -5,6 +5,7 @@
 #define TRUELUX_CLI_LOADING_H_
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -24,7 +25,9 @@ namespace truelux {
 
 /// Reads an OBJ and its MTL files and prints the notes about them. Throws
 /// UserError with all defects, or if a file that is read is an output.
-Scene LoadScene(const SceneRequest& request, const OutputPaths& outputs);
+/// files: if given, gets the files that were asked for.
+Scene LoadScene(const SceneRequest& request, const OutputPaths& outputs,
+                std::vector<std::filesystem::path>* files = nullptr);
 
 /// Prints why everything is 0, if something emits. receivers: a few, of which
 /// none sees light.

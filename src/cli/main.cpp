@@ -8,6 +8,7 @@
 #include <string>
 #include <unistd.h>
 
+#include "truelux/stop.h"
 #include "truelux/version.h"
 
 #include "cli/commands.h"
@@ -50,6 +51,9 @@ ExitStatus RunGuarded(int argc, char** argv) {
     Print(error.diagnostics());
     return ExitStatus::kBadInput;
   } catch (const Interruption&) {
+    PrintLine("interrupted");
+    return ExitStatus::kInterrupted;
+  } catch (const Stopped&) {  // by the same signal, within the library
     PrintLine("interrupted");
     return ExitStatus::kInterrupted;
   } catch (const ReaderGone&) {

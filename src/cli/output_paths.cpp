@@ -2,13 +2,17 @@
 #include "cli/output_paths.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <unistd.h>
 #include <vector>
 
+#include "run/dead_files.h"
 #include "run/file_id.h"
 #include "run/file_place.h"
+#include "run/messages.h"
 #include "run/user_error.h"
 
 namespace truelux {
@@ -44,6 +48,20 @@ bool Collide(const OutputPath& a, const OutputPath& b) {
          IsSamePlace(a.path, b.path);
 }
 
+void RemoveDeadFilesBeside(const OutputPaths& outputs) {
+  std::set<std::string> folders;
+  for (const OutputPath& output : outputs) {
+    if (output.path.empty()) continue;
+    const auto folder =
+        std::filesystem::path(FollowLinks(output.path)).parent_path();
+    folders.insert(folder.empty() ? "." : folder.string());
+  }
+  for (const std::string& folder : folders) {
+    for (const std::string& path : RemoveDeadFiles(folder))
+      PrintNote(path + " was left by a run that was killed, and is removed");
+  }
+}
+
 }  // namespace
 
 void CheckInput(const OutputPaths& outputs, const std::string& path) {
@@ -66,6 +84,7 @@ void CheckOutputs(const OutputPaths& outputs) {
                       " are the same file: " + Output(outputs[i]).name);
     }
   }
+  RemoveDeadFilesBeside(outputs);
 }
 
 }  // namespace truelux

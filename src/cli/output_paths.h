@@ -17,7 +17,8 @@ struct OutputPath {
 
 using OutputPaths = std::vector<OutputPath>;
 
-/// Throw UserError if two outputs are the same file, or if an output is the
+/// CheckOutputs also removes the temporary files of killed runs where outputs
+/// will be, and names them. Both throw UserError if two outputs are the same file, or if an output is the
 /// file `path` that is read ("-" is standard input), however they are called:
 /// symbolic and hard links and redirections count.
 void CheckOutputs(const OutputPaths& outputs);

@@ -15,6 +15,7 @@
 #include "base/ascii_case.h"
 #include "cli/option_values.h"
 #include "cli/oracle_arguments.h"
+#include "run/interrupt.h"
 #include "run/user_error.h"
 #include "text/results.h"
 
@@ -215,6 +216,7 @@ RenderRequest ParseRenderRequest(const RenderArguments& arguments) {
   request.options.method = MethodOf(arguments.method);
   request.options.engine = EngineOf(arguments.engine);
   request.options.emission = EmissionOf(arguments.emission);
+  request.options.stop = InterruptFlag();
   request.threads = ThreadsOf(arguments.threads);
   if (request.wishes.differences &&
       request.options.engine == Engine::kAngularSpans) {

@@ -73,7 +73,8 @@ void FindReasons(const CompareOptions& options, CandidateReport& report) {
   const SceneEvaluator evaluate = [&](const Scene& variant,
                                       std::span<const Receiver> receivers) {
     StopIfInterrupted();
-    const Oracle oracle(variant, {.emission = options.truth.emission});
+    const Oracle oracle(
+        variant, {.emission = options.truth.emission, .stop = InterruptFlag()});
     return IrradiancesOf(oracle, receivers, options.threads);
   };
   report.diagnosis = Diagnose(report.scene, report.data, report.errors,
@@ -93,7 +94,8 @@ CandidateReport CompareCandidate(const Scene& scene, CandidateData data,
   report.options = options.truth;
   report.tolerance = options.tolerance;
   report.data = std::move(data);
-  const Oracle oracle(report.scene, {.emission = options.truth.emission});
+  const Oracle oracle(report.scene, {.emission = options.truth.emission,
+                                     .stop = InterruptFlag()});
   for (const Rgb& value :
        IrradiancesOf(oracle, report.data.receivers, options.threads))
     report.data.truth.push_back(report.data.Compared(value));

@@ -13,6 +13,7 @@
 #include "truelux/irradiance.h"
 
 #include "base/receiver_block.h"
+#include "base/stop.h"
 #include "radiometry/evaluate.h"
 #include "radiometry/evaluate_weighted.h"
 #include "radiometry/form_factors.h"
@@ -123,12 +124,13 @@ void Oracle::Evaluate(
   // A formula by name needs the whole contour of every source.
   const bool join = options_.method == Method::kCertified ||
                     options_.formula == Formula::kAuto;
-  ContourQuery query{scene(), {}, {}, join};
+  ContourQuery query{scene(), {}, {}, join, options_.stop};
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     if (i % kReceiverBlock == 0) {
       workspace->builder.StartBlock(
           receivers.subspan(i, std::min(kReceiverBlock, receivers.size() - i)));
     }
+    StopIfAsked(options_.stop);
     query.receiver = receivers[i];
     take(i, Answer(query, options_.engine, evaluation, *workspace));
   }
@@ -165,7 +167,7 @@ std::optional<Rgb> Oracle::EvaluateFormula(const Receiver& receiver,
   if (precision < 53) {
     throw std::invalid_argument("the precision is less than 53 bits");
   }
-  const ContourQuery query{scene(), receiver};
+  const ContourQuery query{scene(), receiver, {}, false, options_.stop};
   const auto workspace = prepared_.data_->Borrow();
   workspace->builder.StartBlock({});  // whatever it was used for before
   BuildContour(query, options_.engine, *workspace);
@@ -194,7 +196,8 @@ Irradiance Oracle::FormFactor(const Receiver& receiver, int face) const {
   RequireReceiver(receiver, scene());
   const std::string defect = FaceDefect(face, 1, scene(), "the face number");
   if (!defect.empty()) throw std::invalid_argument(defect);
-  const ContourQuery query{scene(), receiver, FaceNumber(face)};
+  const ContourQuery query{scene(), receiver, FaceNumber(face), false,
+                           options_.stop};
   const auto workspace = prepared_.data_->Borrow();
   return Answer(query, options_.engine,
                 {options_.method, Emission::kExitance, options_.formula,
@@ -204,7 +207,7 @@ Irradiance Oracle::FormFactor(const Receiver& receiver, int face) const {
 
 FormFactorTable Oracle::FormFactors(const Receiver& receiver) const {
   RequireReceiver(receiver, scene());
-  const ContourQuery query{scene(), receiver};
+  const ContourQuery query{scene(), receiver, {}, false, options_.stop};
   const EvaluationQuery evaluation{options_.method, Emission::kExitance,
                                    options_.formula, options_.half_side};
   if (options_.engine == Engine::kAngularSpans) {
@@ -219,7 +222,7 @@ FormFactorTable Oracle::FormFactors(const Receiver& receiver) const {
 
 VisibleContour Oracle::Contour(const Receiver& receiver) const {
   RequireReceiver(receiver, scene());
-  const ContourQuery query{scene(), receiver};
+  const ContourQuery query{scene(), receiver, {}, false, options_.stop};
   const auto workspace = prepared_.data_->Borrow();
   workspace->builder.StartBlock({});  // whatever it was used for before
   BuildContour(query, options_.engine, *workspace);

@@ -25,9 +25,8 @@ struct Block {
   std::vector<ReceiverRow> rows;
   std::vector<Receiver> receivers;  ///< theirs
   std::vector<Irradiance> results;
-  FoundFaces faces;
-  std::uint64_t behind_faces = 0;
-  std::string text;  ///< the rows with their results
+  EvaluationCounts counts;  ///< of the rows
+  std::string text;         ///< the rows with their results
 };
 
 bool IsInfinite(const Irradiance& irradiance) {
@@ -83,22 +82,20 @@ class BlockReader {
 };
 
 void FindFaces(const Scene& scene, Block& block) {
-  block.faces = {};
   block.receivers.clear();
   for (const ReceiverRow& row : block.rows) {
     block.receivers.push_back(row.receiver);
-    SetFace(scene, row.face, block.receivers.back(), block.faces);
+    SetFace(scene, row.face, block.receivers.back(), block.counts.faces);
   }
 }
 
 void CountBehindFaces(const Scene& scene, Block& block) {
-  block.behind_faces = 0;
   for (std::size_t i = 0; i < block.receivers.size(); ++i) {
     const Receiver& receiver = block.receivers[i];
     const bool is_behind = block.results[i].value == Rgb{} &&
                            receiver.on_face == 0 &&
                            scene.IsBehindFace(receiver);
-    if (is_behind) ++block.behind_faces;
+    if (is_behind) ++block.counts.behind_faces;
   }
 }
 
@@ -120,6 +117,8 @@ void AppendFace(std::string& text, int face, char separator) {
 void EvaluateBlock(const Oracle& oracle, char separator, bool shows_faces,
                    Block& block, Progress& progress) {
   block.results.resize(block.rows.size());
+  block.counts = {};
+  block.counts.receivers = block.rows.size();
   FindFaces(oracle.scene(), block);
   // Isolated: a thread that waits for the rest of its block must not take up
   // the first stage meanwhile and wait there for input.
@@ -130,6 +129,11 @@ void EvaluateBlock(const Oracle& oracle, char separator, bool shows_faces,
                    });
   });
   CountBehindFaces(oracle.scene(), block);
+  for (const Irradiance& irradiance : block.results) {
+    if (irradiance.value != Rgb{}) ++block.counts.lit;
+    if (IsInfinite(irradiance)) ++block.counts.overflowing;
+    if (HasNoNumber(irradiance)) ++block.counts.unanswered;
+  }
   for (std::size_t i = 0; i < block.rows.size(); ++i) {
     block.text += block.rows[i].text;
     if (shows_faces)
@@ -141,33 +145,54 @@ void EvaluateBlock(const Oracle& oracle, char separator, bool shows_faces,
 }
 
 /// Third stage, serial and in order.
-void WriteBlock(const Block& block, OutputFile& output,
-                EvaluationSummary& summary) {
-  output.Write(block.text);
-  for (const Irradiance& irradiance : block.results) {
+void WriteBlock(const Block& block, RowSink& sink, EvaluationSummary& summary) {
+  sink.Take(block.text, block.counts);
+  summary += block.counts;
+  for (const Irradiance& irradiance : block.results)
     summary.statistics += irradiance.statistics;
-    if (irradiance.value != Rgb{}) ++summary.lit;
-    if (IsInfinite(irradiance)) ++summary.overflowing;
-    if (HasNoNumber(irradiance)) ++summary.unanswered;
-  }
   for (const Receiver& receiver : block.receivers)
     summary.sample.Take(receiver);
-  summary.faces += block.faces;
-  summary.behind_faces += block.behind_faces;
-  summary.receivers += block.rows.size();
+}
+
+/// Passes over what an earlier run has done.
+void SkipRows(ReceiverReader& reader, Progress& progress,
+              EvaluationSummary& summary) {
+  ReceiverRow row;
+  for (std::uint64_t i = 0; i < summary.receivers; ++i) {
+    StopIfInterrupted();
+    const auto status = reader.Next(row, summary.defects);
+    if (status != ReceiverReader::Status::kRow) return;
+    summary.sample.Take(row.receiver);
+    progress.Advance();
+  }
 }
 
 }  // namespace
 
+EvaluationCounts& EvaluationCounts::operator+=(const EvaluationCounts& other) {
+  receivers += other.receivers;
+  lit += other.lit;
+  overflowing += other.overflowing;
+  unanswered += other.unanswered;
+  behind_faces += other.behind_faces;
+  faces += other.faces;
+  return *this;
+}
+
 EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,
-                           OutputFile& output, const EvaluationTask& task,
+                           RowSink& sink, const EvaluationTask& task,
                            Progress& progress) {
   EvaluationSummary summary;
-  if (reader.has_header()) {
-    output.Write(reader.header() +
-                 (task.shows_faces ? FaceHeader(reader.separator()) : "") +
-                 ResultHeader(oracle.options().method, reader.separator()) +
-                 "\n");
+  if (task.done) {
+    static_cast<EvaluationCounts&>(summary) = *task.done;
+    SkipRows(reader, progress, summary);
+    if (!summary.defects.empty()) return summary;
+  } else if (reader.has_header()) {
+    sink.Take(reader.header() +
+                  (task.shows_faces ? FaceHeader(reader.separator()) : "") +
+                  ResultHeader(oracle.options().method, reader.separator()) +
+                  "\n",
+              {});
   }
   const std::size_t block_count = 2 * static_cast<std::size_t>(task.threads);
   BlockReader blocks(reader, block_count, summary.defects);
@@ -182,7 +207,7 @@ EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,
     return block;
   };
   const auto write = [&](const Block* block) {
-    WriteBlock(*block, output, summary);
+    WriteBlock(*block, sink, summary);
   };
   WithThreads(task.threads, [&] {
     tbb::parallel_pipeline(block_count,

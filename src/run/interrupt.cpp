@@ -70,6 +70,10 @@ bool Interrupted() {
   return interrupted;
 }
 
+const StopFlag* InterruptFlag() {
+  return &interrupted;
+}
+
 void StopIfInterrupted() {
   if (Interrupted()) throw Interruption{};
 }

@@ -4,6 +4,8 @@
 #ifndef TRUELUX_RUN_INTERRUPT_H_
 #define TRUELUX_RUN_INTERRUPT_H_
 
+#include "truelux/stop.h"
+
 namespace truelux {
 
 /// Thrown where work is left because the program was interrupted.
@@ -17,6 +19,9 @@ void CatchSignals();
 
 /// Whether a signal has asked the program to stop.
 [[nodiscard]] bool Interrupted();
+
+/// The flag itself, for calls of the library.
+[[nodiscard]] const StopFlag* InterruptFlag();
 
 /// Throws Interruption if Interrupted().
 void StopIfInterrupted();

@@ -8,8 +8,10 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
+#include "run/dead_files.h"
 #include "run/file_place.h"
 #include "run/interrupt.h"
 #include "run/user_error.h"
@@ -57,15 +59,20 @@ void OutputFile::OpenTemporary() {
     throw UserError(name_, "cannot write", EISDIR);
   }
   for (int i = 0;; ++i) {
-    temporary_ =
-        (folder / fmt::format(".truelux-{}-{}.tmp", getpid(), i)).string();
+    temporary_ = (folder / fmt::format("{}{}-{}{}", kTemporaryStart, getpid(),
+                                       i, kTemporaryEnd))
+                     .string();
     if (!kept_.Keep(temporary_.c_str())) {
       temporary_.clear();
       throw UserError(name_, "cannot write", ENAMETOOLONG);
     }
     fd_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
                kReadWriteForAll);
-    if (fd_ >= 0) return;
+    if (fd_ >= 0) {
+      // Tells other runs that it is somebody's, if locks are to be had.
+      flock(fd_, LOCK_EX | LOCK_NB);
+      return;
+    }
     // Not this program's file, or none at all.
     const int reason = errno;
     kept_.Forget();
@@ -110,6 +117,12 @@ void OutputFile::Write(std::string_view text) {
 
 void OutputFile::Finish() {
   if (fd_ == STDOUT_FILENO) return;
+  // Before the name is given, so that a file of that name is whole even after a
+  // power cut; what is no disk need not know how.
+  if (!temporary_.empty() && fsync(fd_) != 0 && errno != EINVAL &&
+      errno != ENOTSUP && errno != EROFS) {
+    throw UserError(name_, "cannot write", errno);
+  }
   const int fd = fd_;
   fd_ = -1;
   // Some file systems tell only now that the disk is full.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
 
 #include "exact/decide.h"
@@ -82,8 +81,12 @@ bool Overlap(const Corners& a, const Corners& b) {
                               const Point3& p) {
     return TrySign(SideOfEdge<Interval>(t, edge, p));
   };
-  // First what is cheap and tells nearly always: parted along some normal, they
-  // do not overlap in one plane.
+  // First what is cheap and tells nearly always: not in one plane for certain,
+  // or parted along some normal.
+  for (const Point3& p : b) {
+    const auto height = TrySign(HeightOver(NormalOf<Interval>(a), a[0], p));
+    if (height && *height != Sign::kZero) return false;
+  }
   if (AreParted(a, b, by_interval) || !AreCoplanarAlike(a, b)) return false;
   return !AreParted(
       a, b, [](const Corners& t, std::size_t edge, const Point3& p) {
@@ -122,27 +125,32 @@ EmittingTriangles EmittingTrianglesOf(const Scene& scene) {
 
 }  // namespace
 
-std::vector<CoveredEmitter> CoveredEmittersOf(const Scene& scene) {
+CoveredEmitters CoveredEmittersOf(const Scene& scene) {
   const EmittingTriangles all = EmittingTrianglesOf(scene);
-  std::vector<CoveredEmitter> covered;
+  CoveredEmitters covered;
   if (all.faces.empty() || all.faces.front() == all.faces.back())
     return covered;
   const TriangleTree tree(all.boxes);
   const RoundUpward rounding;
+  std::int64_t tests = 0;
   for (std::size_t i = 0; i < all.faces.size(); ++i) {
-    constexpr int kNone = std::numeric_limits<int>::max();
-    int cover = kNone;
-    tree.Visit(BoxOverlap(all.boxes[i]), [&](int index) {
-      const auto k = static_cast<std::size_t>(index);
-      if (all.faces[k] >= std::min(all.faces[i], cover)) return;
-      if (Overlap(all.corners[i], all.corners[k])) cover = all.faces[k];
-    });
-    if (cover == kNone) continue;
-    if (!covered.empty() && covered.back().face == all.faces[i]) {
-      covered.back().cover = std::min(covered.back().cover, cover);
-    } else {
-      covered.push_back({all.faces[i], cover});
+    const int face = all.faces[i];
+    std::vector<CoveredEmitter>& found = covered.found;
+    if (!found.empty() && found.back().face == face) continue;
+    if (tests > kMostCoverTests) {
+      covered.is_all = false;
+      break;
     }
+    BoxOverlap region(all.boxes[i]);
+    tree.Visit(region, [&](int index) {
+      const auto k = static_cast<std::size_t>(index);
+      if (all.faces[k] >= face) return;
+      ++tests;
+      if (!Overlap(all.corners[i], all.corners[k])) return;
+      if (!found.empty() && found.back().face == face) return;
+      found.push_back({face, all.faces[k]});
+      region = BoxOverlap(Box());  // nothing more to be found
+    });
   }
   return covered;
 }

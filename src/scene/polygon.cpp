@@ -7,14 +7,24 @@
 
 #include "exact/number.h"
 #include "scene/boundary_triangulation.h"
+#include "scene/ring_mesh.h"
 
 namespace truelux {
+namespace {
+
+/// Up to so many points comparing all edges is as fast as anything.
+constexpr std::size_t kFew = 64;
+
+}  // namespace
 
 PolygonKind PolygonReader::Read(std::span<const Point3> ring) {
   const RoundUpward rounding;
   triangles_.clear();
   const RingShape shape = projection_.Project(ring);
   if (shape == RingShape::kNoArea) return PolygonKind::kNoArea;
+  const bool is_planar =
+      shape == RingShape::kPlanar || shape == RingShape::kFlat;
+  if (!is_planar && ring.size() > kMostNotPlanar) return PolygonKind::kTooLarge;
   if (shape == RingShape::kZeroNormal) {
     TakeFan(ring);
     return PolygonKind::kNotPlanar;
@@ -22,6 +32,9 @@ PolygonKind PolygonReader::Read(std::span<const Point3> ring) {
   if (ring.size() == 3) {
     triangles_.push_back({0, 1, 2});
     return PolygonKind::kPlanar;
+  }
+  if (shape == RingShape::kPlanar && ring.size() > kFew) {
+    if (const auto kind = ReadLarge()) return *kind;
   }
   if (const std::optional<BoundaryContact> contact = FindContact(projection_)) {
     contact_ = *contact;
@@ -32,6 +45,14 @@ PolygonKind PolygonReader::Read(std::span<const Point3> ring) {
   Triangulate(projection_, triangles_);
   return shape == RingShape::kPlanar ? PolygonKind::kPlanar
                                      : PolygonKind::kNotPlanar;
+}
+
+/// A planar ring of many points, as far as its triangulation decides.
+std::optional<PolygonKind> PolygonReader::ReadLarge() {
+  const std::optional<RingInside> inside = MeshInside(projection_, triangles_);
+  if (inside == RingInside::kOnce) return PolygonKind::kPlanar;
+  if (inside == RingInside::kNothing) return PolygonKind::kNoArea;
+  return std::nullopt;
 }
 
 /// A ring of four points or more whose image meets itself. Without triangles

@@ -4,6 +4,8 @@
 #ifndef TRUELUX_SCENE_POLYGON_H_
 #define TRUELUX_SCENE_POLYGON_H_
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,11 +18,16 @@
 
 namespace truelux {
 
+/// The largest number of points of a ring that is not in one plane: its
+/// triangles take time in proportion to the square.
+inline constexpr std::size_t kMostNotPlanar = 10000;
+
 enum class PolygonKind {
   kNoArea,     ///< no inside: all points on one line, or winding numbers 0
   kNoPolygon,  ///< planar, but some winding numbers are neither 0 nor 1
   kPlanar,     ///< a polygon in one plane
   kNotPlanar,  ///< not in one plane: stands for its triangles
+  kTooLarge,   ///< not in one plane, with more points than kMostNotPlanar
 };
 
 /// Takes rings one after the other and keeps its memory between them.
@@ -41,6 +48,7 @@ class PolygonReader {
   [[nodiscard]] const BoundaryContact& contact() const { return contact_; }
 
  private:
+  std::optional<PolygonKind> ReadLarge();
   PolygonKind ReadMeetingItself(RingShape shape);
   void TakeFan(std::span<const Point3> ring);
 

@@ -132,6 +132,16 @@ void SceneAssembly::AddPolygon() {
         ReportNoPolygon();
       }
       break;
+    case PolygonKind::kTooLarge:
+      if (lenient_) {
+        LeaveOutLast("too many corners for a face that is not planar");
+      } else {
+        ReportError(
+            "the face is not planar and has " + std::to_string(ring_.size()) +
+            " corners, expected at most " + std::to_string(kMostNotPlanar) +
+            "; --lenient leaves it out");
+      }
+      break;
     case PolygonKind::kPlanar:
       AddFacet(polygon_.triangles());
       break;

@@ -16,6 +16,7 @@
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 #include "truelux/statistics.h"
+#include "truelux/stop.h"
 
 #include "base/id_vector.h"
 #include "base/ids.h"
@@ -71,6 +72,8 @@ struct ContourQuery {
   /// Whether arcs between two emitting faces may be left out where both emit
   /// the same: then the sum over all sources is right, each one's is not.
   bool join_sources = false;
+  /// Looked at before every source, if given: Stopped is thrown if it is set.
+  const StopFlag* stop = nullptr;
 };
 
 /// The recipes' input for a query; it refers to the query's scene.

@@ -5,10 +5,12 @@
 
 #include <chrono>
 #include <csignal>
+#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <string>
 #include <string_view>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <unistd.h>
 #include <vector>
@@ -192,6 +194,28 @@ TEST_F(Hostile, ATallPictureHasANarrowLegend) {
                   "--false-colour", "-o", picture});
   EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
   EXPECT_LT(fs::file_size(picture), 10'000'000U);
+}
+
+// Old and without a lock: dead. Young, or locked: somebody's.
+TEST_F(Hostile, FilesOfKilledRunsAreRemoved) {
+  const std::string dead = folder_.Write(".truelux-1-0.tmp", "half");
+  const std::string young = folder_.Write(".truelux-2-0.tmp", "half");
+  const std::string locked = folder_.Write(".truelux-3-0.tmp", "half");
+  const std::string other = folder_.Write(".truelux-4-0.tmpx", "half");
+  const auto hours_ago =
+      fs::file_time_type::clock::now() - std::chrono::hours(3);
+  for (const std::string& path : {dead, locked, other})
+    fs::last_write_time(path, hours_ago);
+  const int fd = open(locked.c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(flock(fd, LOCK_EX), 0);
+  const Outcome outcome = Eval({"-o", folder_ / "out.csv"});
+  close(fd);
+  EXPECT_EQ(outcome.exit_status, 0);
+  EXPECT_EQ(outcome.err, "note: " + dead +
+                             " was left by a run that was killed, and is "
+                             "removed\n");
+  EXPECT_FALSE(fs::exists(dead));
+  EXPECT_TRUE(fs::exists(young) && fs::exists(locked) && fs::exists(other));
 }
 
 TEST_F(Hostile, EndlessScenesHearSignals) {

@@ -54,7 +54,9 @@ TEST_P(Interrupt, WhileWaitingForInputLeavesNoFile) {
                   folder / "stats.json"},
                  around);
   EXPECT_EQ(outcome.exit_status, 130);
-  EXPECT_EQ(outcome.err, "interrupted\n");
+  EXPECT_EQ(outcome.err,
+            "note: nothing was kept; --resume keeps what is done\n"
+            "interrupted\n");
   EXPECT_EQ(folder.Names(),
             (std::vector<std::string>{"square.mtl", "square.obj"}));
 }
@@ -71,7 +73,9 @@ TEST(Interruption, WhileEvaluatingLeavesNoFile) {
   const Outcome outcome =
       RunTruelux({"eval", scene, table, "-o", folder / "out.csv"}, around);
   EXPECT_EQ(outcome.exit_status, 130);
-  EXPECT_EQ(outcome.err, "interrupted\n");
+  EXPECT_EQ(outcome.err,
+            "note: nothing was kept; --resume keeps what is done\n"
+            "interrupted\n");
   EXPECT_EQ(folder.Names(),
             (std::vector<std::string>{"in.csv", "square.mtl", "square.obj"}));
 }

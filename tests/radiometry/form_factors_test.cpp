@@ -20,7 +20,7 @@ namespace truelux::testing {
 namespace {
 
 const std::vector<OracleOptions>& FastOptions() {
-  static const std::vector<OracleOptions> kOptions = {
+  static const std::vector<OracleOptions> options = {
       {},
       {.formula = Formula::kUnified},
       {.method = Method::kDouble},
@@ -29,15 +29,15 @@ const std::vector<OracleOptions>& FastOptions() {
       {.method = Method::kDouble,
        .formula = Formula::kImagePlane,
        .half_side = 2}};
-  return kOptions;
+  return options;
 }
 
 const std::vector<OracleOptions>& SlowOptions() {
-  static const std::vector<OracleOptions> kOptions = {
+  static const std::vector<OracleOptions> options = {
       {.engine = Engine::kArrangement},
       {.engine = Engine::kArrangement, .method = Method::kDouble},
       {.engine = Engine::kAngularSpans}};
-  return kOptions;
+  return options;
 }
 
 bool Emits(const Face& face) {

@@ -20,9 +20,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 const Oracle& SomeOracle() {
-  static const Oracle kOracle(
+  static const Oracle oracle(
       MakeScene({{Ceiling(-1, 1, -1, 1, 1), kLamp}, {Floor(0, 1, 0, 1, -1)}}));
-  return kOracle;
+  return oracle;
 }
 
 constexpr Receiver kGood{{0, 0, 0}, {0, 0, 1}, 0};

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/stop.h"
 #include "scene/io/face_index.h"
 #include "scene/io/number_defect.h"
 #include "scene/io/quoted.h"
@@ -34,12 +35,15 @@ constexpr std::string_view kCure = " (--lenient leaves such faces out)";
 
 class ObjParser {
  public:
-  ObjParser(bool lenient, DiagnosticList& diagnostics)
-      : lenient_(lenient), diagnostics_(diagnostics) {}
+  ObjParser(const ReadOptions& options, DiagnosticList& diagnostics)
+      : lenient_(options.lenient),
+        stop_(options.stop),
+        diagnostics_(diagnostics) {}
 
   ObjContents Parse(std::string_view text) {
     StatementReader reader(text);
     while (const std::optional<Statement> statement = reader.Next()) {
+      StopIfAsked(stop_);
       Take(*statement);
     }
     CheckForwardIndices();
@@ -295,6 +299,7 @@ class ObjParser {
   }
 
   bool lenient_;
+  const StopFlag* stop_;
   DiagnosticList& diagnostics_;
   ObjContents contents_;
   std::array<std::int64_t, 3> counts_{};
@@ -322,9 +327,9 @@ std::string_view Name(FaceDefect defect) {
   return "none";
 }
 
-ObjContents ParseObj(std::string_view text, bool lenient,
+ObjContents ParseObj(std::string_view text, const ReadOptions& options,
                      DiagnosticList& diagnostics) {
-  return ObjParser(lenient, diagnostics).Parse(text);
+  return ObjParser(options, diagnostics).Parse(text);
 }
 
 }  // namespace truelux

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "truelux/geometry.h"
+#include "truelux/io.h"
 
 #include "scene/diagnostic_list.h"
 
@@ -55,7 +56,7 @@ struct ObjContents {
 /// Defects, and one note for each kind of statement or data that is ignored, go
 /// to diagnostics. lenient: defects of faces, and of the vertices that faces
 /// use, are no errors; the faces have them in ObjFace::defect only.
-ObjContents ParseObj(std::string_view text, bool lenient,
+ObjContents ParseObj(std::string_view text, const ReadOptions& options,
                      DiagnosticList& diagnostics);
 
 }  // namespace truelux

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/stop.h"
 #include "scene/covered_emitters.h"
 #include "scene/diagnostic_list.h"
 #include "scene/io/face_material.h"
@@ -65,10 +66,11 @@ void LoadLibraries(const std::vector<ObjReference>& references,
 /// its number, if defects are no errors.
 void AddFaces(const ObjContents& obj,
               const std::vector<FaceMaterial>& materials,
-              SceneBuilder& builder) {
+              const ReadOptions& options, SceneBuilder& builder) {
   const FaceMaterial none;
   int group = 0;
   for (const ObjFace& face : obj.faces) {
+    StopIfAsked(options.stop);
     if (face.group != group) {
       group = face.group;
       builder.SetGroup(obj.groups[static_cast<std::size_t>(group)]);
@@ -97,7 +99,8 @@ void AddFaces(const ObjContents& obj,
 
 /// What is hidden by another face in its own plane is easily overlooked.
 void NoteCovered(const Scene& scene, DiagnosticList& diagnostics) {
-  const std::vector<CoveredEmitter> covered = CoveredEmittersOf(scene);
+  const CoveredEmitters emitters = CoveredEmittersOf(scene);
+  const std::vector<CoveredEmitter>& covered = emitters.found;
   if (covered.empty()) return;
   const auto line_of = [&](int face) {
     return scene.faces()[static_cast<std::size_t>(face)].line;
@@ -105,7 +108,7 @@ void NoteCovered(const Scene& scene, DiagnosticList& diagnostics) {
   const bool is_one = covered.size() == 1;
   diagnostics.Note(
       line_of(covered.front().face),
-      std::to_string(covered.size()) +
+      (emitters.is_all ? "" : "at least ") + std::to_string(covered.size()) +
           (is_one ? " face that emits is" : " faces that emit are") +
           " covered, wholly or in part, by an earlier one in the same plane, "
           "which is seen instead (" +
@@ -127,7 +130,7 @@ Result<Scene> BuildScene(const ObjContents& obj,
   SceneBuilder builder(diagnostics.file());
   builder.SetLenient(options.lenient);
   builder.SetTwoSided(options.two_sided);
-  AddFaces(obj, materials, builder);
+  AddFaces(obj, materials, options, builder);
   Result<Scene> result = builder.Build();
   // What the parser reported of faces is not reported again.
   const bool parser_failed = diagnostics.has_errors();
@@ -173,7 +176,7 @@ Result<Scene> ReadSceneWith(const SceneFiles& files,
     diagnostics.Error(defect->line, defect->what);
     return {std::nullopt, diagnostics.Sorted()};
   }
-  const ObjContents contents = ParseObj(text, options.lenient, diagnostics);
+  const ObjContents contents = ParseObj(text, options, diagnostics);
   if (contents.faces.empty() && contents.positions.empty() &&
       LooksLikeMaterials(text)) {
     DiagnosticList only(obj.string());
@@ -195,9 +198,9 @@ Result<Scene> ReadSceneWith(const SceneFiles& files,
 SceneAndFiles ReadSceneAndFiles(const std::filesystem::path& obj,
                                 const ReadOptions& options) {
   std::vector<std::filesystem::path> paths;
-  const SceneFiles files{[&paths](const std::filesystem::path& path) {
+  const SceneFiles files{[&](const std::filesystem::path& path) {
                            paths.push_back(path);
-                           return ReadTextFile(path);
+                           return ReadTextFile(path, options.stop);
                          },
                          ListFolder};
   Result<Scene> scene = ReadSceneWith(files, obj, options);
@@ -206,7 +209,7 @@ SceneAndFiles ReadSceneAndFiles(const std::filesystem::path& obj,
 
 Result<Scene> ReadScene(const std::filesystem::path& obj,
                         const ReadOptions& options) {
-  return ReadSceneWith({ReadTextFile, ListFolder}, obj, options);
+  return ReadSceneAndFiles(obj, options).scene;
 }
 
 }  // namespace truelux

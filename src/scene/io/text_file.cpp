@@ -14,6 +14,7 @@
 #include <system_error>
 #include <vector>
 
+#include "base/stop.h"
 #include "base/utf16.h"
 
 namespace truelux {
@@ -41,7 +42,7 @@ bool IsSpace(char c) {
 
 }  // namespace
 
-TextFile ReadTextFile(const std::filesystem::path& path) {
+TextFile ReadTextFile(const std::filesystem::path& path, const StopFlag* stop) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return Failure(EISDIR);
   const std::unique_ptr<std::FILE, CloseFile> file(
@@ -51,6 +52,7 @@ TextFile ReadTextFile(const std::filesystem::path& path) {
   // Read in pieces: a pipe has no size to ask for.
   std::array<char, 1 << 16> piece{};
   for (;;) {
+    StopIfAsked(stop);
     const std::size_t count =
         std::fread(piece.data(), 1, piece.size(), file.get());
     result.text.append(piece.data(), count);

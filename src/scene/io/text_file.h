@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "truelux/stop.h"
+
 namespace truelux {
 
 struct TextFile {
@@ -34,7 +36,9 @@ struct SceneFiles {
   FolderLister list;
 };
 
-TextFile ReadTextFile(const std::filesystem::path& path);
+/// stop: looked at before every piece; throws Stopped.
+TextFile ReadTextFile(const std::filesystem::path& path,
+                      const StopFlag* stop = nullptr);
 std::vector<std::string> ListFolder(const std::filesystem::path& folder);
 
 /// A text without the control characters behind its last statement (NUL, ^Z):

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/stop.h"
 #include "exact/recipe_evaluator.h"
 #include "scene/emitters.h"
 #include "scene/scene_access.h"
@@ -82,6 +83,7 @@ std::vector<ChartView> ChartViewsOf(const ContourQuery& query,
   std::vector<ChartView> charts;
   if (std::ranges::none_of(views, &FacetView::is_source)) return charts;
   for (const ViewChart& chart : ViewChartsOf(query.receiver.normal)) {
+    StopIfAsked(query.stop);
     const std::vector<ImageTriangle> image = ImageOf(query, views, chart);
     const bool has_source = std::ranges::any_of(
         image,

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/stamped_table.h"
+#include "base/stop.h"
 #include "scene/emitters.h"
 #include "scene/scene_access.h"
 #include "visibility/edges/blocker_parts.h"
@@ -71,6 +72,7 @@ class BasicContourBuilder<kKind>::Impl {
   }
 
   void Build(const ContourQuery& query, Contour& contour) {
+    StopIfAsked(query.stop);
     const RoundUpward rounding;
     geometry_.SetReceiver(query.receiver.position, query.receiver.normal);
     cones_.SetReceiver();
@@ -82,6 +84,7 @@ class BasicContourBuilder<kKind>::Impl {
     const Receiver& receiver = query.receiver;
     if (!query.only_source.valid()) {
       for (const EmitterId e : engine_.emitters().ids()) {
+        StopIfAsked(query.stop);
         const ContourEngine::Emitter& emitter = engine_.emitters()[e];
         if (!StartSource(emitter.facet)) continue;
         AddPieces(emitter.shafts, receiver, CutOf(e));

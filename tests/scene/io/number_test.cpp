@@ -41,7 +41,7 @@ class Binary64 {
   }
 
  private:
-  mpfr_t value_;
+  mpfr_t value_{};
 };
 
 /// The exact value of x + half an ulp, x >= 0: digits and an exponent so that

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/part_key.h"
+
+#include <array>
+#include <cstddef>
+#include <fmt/format.h>
+#include <string_view>
+
+#include "truelux/formulas.h"
+#include "truelux/version.h"
+
+#include "run/file_id.h"
+#include "run/input_file.h"
+#include "run/part_file.h"
+
+namespace truelux {
+namespace {
+
+void AddFile(const std::string& path, ContentHash& hash) {
+  hash.AddText("file");
+  InputFile file(path);
+  std::array<char, 1 << 16> piece;
+  while (const std::size_t n = file.Read(piece))
+    hash.Add({piece.data(), n});
+}
+
+std::string TextOf(const std::optional<double>& number) {
+  return number ? fmt::format("{:a}", *number) : "";
+}
+
+}  // namespace
+
+std::string PartKey(const EvalRequest& request,
+                    const std::vector<std::filesystem::path>& files) {
+  ContentHash hash;
+  const OracleOptions& options = request.options;
+  const ReadOptions& reading = request.scene.options;
+  const std::vector<std::string> words = {
+      std::string(VersionText()),
+      std::string(Name(options.method)),
+      std::string(Name(options.engine)),
+      std::string(Name(options.emission)),
+      std::string(Name(options.formula)),
+      fmt::format("{:a}", options.half_side),
+      reading.lenient ? "lenient" : "",
+      reading.two_sided ? "two-sided" : "",
+      TextOf(reading.opaque_from),
+      request.on_face.value_or("")};
+  for (const std::string& word : words)
+    hash.AddText(word);
+  for (const std::filesystem::path& file : files) {
+    // Some may have been asked for in vain.
+    const auto id = FileIdOf(file.string());
+    if (id && id->IsRegular()) AddFile(file.string(), hash);
+  }
+  AddFile(request.receivers, hash);
+  return hash.Text();
+}
+
+}  // namespace truelux

@@ -48,6 +48,8 @@ class FaceWords {
   /// What an empty text means; without it: no face.
   void SetUsual(const FaceChoice& usual) { usual_ = usual; }
 
+  [[nodiscard]] const FaceChoice& usual() const { return usual_; }
+
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
  private:

@@ -118,12 +118,15 @@ std::optional<ReceiverFields> ReceiverColumns::Parse(
     defects.push_back(
         csv.Error(row.line(columns_[defect.index]), std::move(defect.message)));
   }
-  std::string message;
-  const std::optional<FaceChoice> face =
-      faces_.Parse(on_face_column_ ? row.Value(*on_face_column_) : "", message);
-  if (!face) {
-    defects.push_back(csv.Error(row.line(*on_face_column_),
-                                fmt::format("{}: {}", kOnFaceColumn, message)));
+  std::optional<FaceChoice> face = faces_.usual();
+  if (on_face_column_) {
+    std::string message;
+    face = faces_.Parse(row.Value(*on_face_column_), message);
+    if (!face) {
+      defects.push_back(
+          csv.Error(row.line(*on_face_column_),
+                    fmt::format("{}: {}", kOnFaceColumn, message)));
+    }
   }
   if (defects.size() != defects_before) return std::nullopt;
   fields.face = *face;

@@ -42,9 +42,9 @@ class EdgeSweep {
   /// One end of a cover: counts change by `step` there.
   struct Event {
     EdgePosition position;
-    Role role;
-    Sign side;
-    int step;
+    Role role{};
+    Sign side{};
+    int step = 0;
   };
 
   void Add(const Cover& cover, Role role);

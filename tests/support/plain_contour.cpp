@@ -40,7 +40,7 @@ class PlainEngine {
   }
 
  private:
-  bool IsIgnored(FacetId facet) const {
+  [[nodiscard]] bool IsIgnored(FacetId facet) const {
     return !ignored_.empty() && ignored_[facet];
   }
 

@@ -150,6 +150,7 @@ TEST(Receivers, EveryDefectOfARowIsReportedAndTheNextRowIsRead) {
            " is not a number; expected a decimal number in the range of "
            "binary64";
   };
+  // NOLINTBEGIN(bugprone-suspicious-missing-comma): long lines
   EXPECT_EQ(
       table.defects,
       (Texts{bad_number("x: 'a'"), bad_number("y: 'inf'"),
@@ -166,6 +167,7 @@ TEST(Receivers, EveryDefectOfARowIsReportedAndTheNextRowIsRead) {
              "name of an object or group, or auto",
              "t.csv:7: error: on_face: '-1' is out of range; the scene has 7 "
              "faces"}));
+  // NOLINTEND(bugprone-suspicious-missing-comma)
   EXPECT_EQ(table.rows.size(), 1U);
 }
 

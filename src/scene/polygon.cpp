@@ -33,9 +33,7 @@ PolygonKind PolygonReader::Read(std::span<const Point3> ring) {
     triangles_.push_back({0, 1, 2});
     return PolygonKind::kPlanar;
   }
-  if (shape == RingShape::kPlanar && ring.size() > kFew) {
-    if (const auto kind = ReadLarge()) return *kind;
-  }
+  if (shape == RingShape::kPlanar && ring.size() > kFew) return ReadLarge();
   if (const std::optional<BoundaryContact> contact = FindContact(projection_)) {
     contact_ = *contact;
     const PolygonKind kind = ReadMeetingItself(shape);
@@ -47,12 +45,17 @@ PolygonKind PolygonReader::Read(std::span<const Point3> ring) {
                                      : PolygonKind::kNotPlanar;
 }
 
-/// A planar ring of many points, as far as its triangulation decides.
-std::optional<PolygonKind> PolygonReader::ReadLarge() {
-  const std::optional<RingInside> inside = MeshInside(projection_, triangles_);
-  if (inside == RingInside::kOnce) return PolygonKind::kPlanar;
-  if (inside == RingInside::kNothing) return PolygonKind::kNoArea;
-  return std::nullopt;
+/// A planar ring of many points.
+PolygonKind PolygonReader::ReadLarge() {
+  switch (MeshInside(projection_, triangles_)) {
+    case RingInside::kOnce:
+      return PolygonKind::kPlanar;
+    case RingInside::kNothing:
+      return PolygonKind::kNoArea;
+    default:
+      contact_ = FindContact(projection_).value_or(BoundaryContact{});
+      return PolygonKind::kNoPolygon;
+  }
 }
 
 /// A ring of four points or more whose image meets itself. Without triangles

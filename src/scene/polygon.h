@@ -5,7 +5,6 @@
 #define TRUELUX_SCENE_POLYGON_H_
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,7 +47,7 @@ class PolygonReader {
   [[nodiscard]] const BoundaryContact& contact() const { return contact_; }
 
  private:
-  std::optional<PolygonKind> ReadLarge();
+  PolygonKind ReadLarge();
   PolygonKind ReadMeetingItself(RingShape shape);
   void TakeFan(std::span<const Point3> ring);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A constrained Delaunay triangulation by CGAL cuts the ring's edges at the
+// A walk through a Delaunay triangulation by CGAL cuts the ring's edges at the
 // points that lie on them. How often each piece is run through, forward less
 // backward, is the difference of the winding numbers on its two sides; from the
-// outside, which has 0, they are found triangle by triangle.
+// outside, which has 0, they are found triangle by triangle, once the pieces are
+// sides of triangles.
 #include "scene/ring_mesh.h"
 
 #include <algorithm>
@@ -51,16 +52,23 @@ class RingMesh {
       points_[i] = points_[static_cast<std::size_t>(name_of[i])];
   }
 
-  /// Makes the ring's edges edges of the triangulation. False if two cross.
-  bool AddEdges() {
+  /// Makes the pieces that bound something edges of the triangulation; bridges,
+  /// which are run through as often forward as backward, bound nothing. False
+  /// if two cross, or if one is run through more than once.
+  bool AddBoundary() {
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      CountPieces(points_[i], points_[i + 1 < points_.size() ? i + 1 : 0]);
     try {
-      for (std::size_t i = 0; i < points_.size(); ++i)
-        plane_.insert_constraint(points_[i], points_[Next(i)]);
+      for (const auto& [ends, net] : net_) {
+        if (net > 1 || net < -1) return false;
+        if (net == 0) continue;
+        plane_.insert_constraint(
+            points_[static_cast<std::size_t>(ends.first)],
+            points_[static_cast<std::size_t>(ends.second)]);
+      }
     } catch (const Plane::Intersection_of_constraints_exception&) {
       return false;
     }
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      CountPieces(points_[i], points_[Next(i)]);
     return true;
   }
 
@@ -87,10 +95,6 @@ class RingMesh {
   }
 
  private:
-  [[nodiscard]] std::size_t Next(std::size_t i) const {
-    return i + 1 < points_.size() ? i + 1 : 0;
-  }
-
   /// Counts the pieces of an edge.
   void CountPieces(Plane::Vertex_handle from, Plane::Vertex_handle to) {
     while (from != to) {
@@ -101,22 +105,42 @@ class RingMesh {
     }
   }
 
-  /// The neighbour on the way to another point.
+  /// The first point on the way to another one, which may be that one. Walks
+  /// through the triangles that the way crosses.
   [[nodiscard]] Plane::Vertex_handle NextTowards(
       Plane::Vertex_handle from, Plane::Vertex_handle to) const {
-    const auto first = plane_.incident_vertices(from);
-    auto at = first;
-    do {
+    const auto side = [&](Plane::Vertex_handle vertex) {
+      return plane_.orientation(from->point(), to->point(), vertex->point());
+    };
+    const auto is_ahead = [&](Plane::Vertex_handle vertex) {
+      return side(vertex) == CGAL::COLLINEAR &&
+             plane_.compare_xy(from->point(), vertex->point()) ==
+                 plane_.compare_xy(from->point(), to->point());
+    };
+    auto at = plane_.incident_faces(from);
+    for (;; ++at) {
       if (plane_.is_infinite(at)) continue;
-      if (at->point() == to->point()) return at;
-      const bool is_on_way =
-          plane_.orientation(from->point(), at->point(), to->point()) ==
-              CGAL::COLLINEAR &&
-          CGAL::collinear_are_strictly_ordered_along_line(
-              from->point(), at->point(), to->point());
-      if (is_on_way) return at;
-    } while (++at != first);
-    return to;  // does not happen: every edge is one of the triangulation
+      const int own = at->index(from);
+      const Plane::Vertex_handle right = at->vertex(Plane::ccw(own));
+      const Plane::Vertex_handle left = at->vertex(Plane::cw(own));
+      if (is_ahead(right)) return right;
+      if (is_ahead(left)) return left;
+      if (side(right) == CGAL::RIGHT_TURN && side(left) == CGAL::LEFT_TURN)
+        break;  // the way leaves through the side opposite
+    }
+    Plane::Face_handle face = at;
+    int exit = face->index(from);
+    for (;;) {
+      const Plane::Face_handle next = face->neighbor(exit);
+      const int entry = next->index(face);
+      const Plane::Vertex_handle tip = next->vertex(entry);
+      const CGAL::Orientation turn = side(tip);
+      if (turn == CGAL::COLLINEAR) return tip;
+      // The way leaves between the tip and the corner on its other side: seen
+      // from the next triangle, the left corner comes after its tip.
+      exit = turn == CGAL::LEFT_TURN ? Plane::ccw(entry) : Plane::cw(entry);
+      face = next;
+    }
   }
 
   /// How often the ring runs along side k of a triangle with the triangle on
@@ -138,13 +162,13 @@ class RingMesh {
 
 }  // namespace
 
-std::optional<RingInside> MeshInside(const ProjectedRing& ring,
-                                     std::vector<RingTriangle>& triangles) {
+RingInside MeshInside(const ProjectedRing& ring,
+                      std::vector<RingTriangle>& triangles) {
   // The bounds of CGAL's static filters are those of rounding to nearest.
   const CGAL::Protect_FPU_rounding<true> rounding(CGAL_FE_TONEAREST);
   triangles.clear();
   RingMesh mesh(ring);
-  if (!mesh.AddEdges()) return std::nullopt;
+  if (!mesh.AddBoundary()) return RingInside::kOther;
   const RingInside inside = mesh.FindInside(triangles);
   if (inside != RingInside::kOnce) triangles.clear();
   return inside;

@@ -4,7 +4,6 @@
 #ifndef TRUELUX_SCENE_RING_MESH_H_
 #define TRUELUX_SCENE_RING_MESH_H_
 
-#include <optional>
 #include <vector>
 
 #include "scene/projected_ring.h"
@@ -14,14 +13,13 @@
 namespace truelux {
 
 /// What a ring in one plane encloses, as FindInside says, and if that is kOnce
-/// the triangles of its inside as TriangulateInside gives them. Exact. Nothing
-/// if edges cross: FindInside has to decide. A ring that does not meet itself
-/// is the plainest case.
+/// the triangles of its inside as TriangulateInside gives them. Exact. A ring
+/// that does not meet itself is the plainest case.
 ///
-/// Takes about n log n for n points, if edges are near few points that are not
-/// theirs. triangles  cleared first.
-std::optional<RingInside> MeshInside(const ProjectedRing& ring,
-                                     std::vector<RingTriangle>& triangles);
+/// Takes about n log n for n points, and the number of triangles that edges
+/// cross in a triangulation of the points alone. triangles  cleared first.
+RingInside MeshInside(const ProjectedRing& ring,
+                      std::vector<RingTriangle>& triangles);
 
 }  // namespace truelux
 

@@ -94,7 +94,8 @@ TEST(JoinedSources, BlockersOverTheEdgesChangeNothing) {
     std::vector<TestFace> faces = LampMesh(
         3,
         [&](int a, int b) {
-          return heights[static_cast<std::size_t>(4 * a + b)];
+          return heights[4 * static_cast<std::size_t>(a) +
+                         static_cast<std::size_t>(b)];
         },
         [&](int a, int b) {
           return i % 3 == 0 && (a + b) % 2 == 0 ? Rgb{2, 1, 1} : kWhite;

@@ -74,8 +74,9 @@ TEST(PruningScenes, ABlockerThatHidesSomePiecesOfALampWhole) {
 TEST(PruningScenes, OfManyEqualConesOneEachStays) {
   std::vector<TestFace> faces{{Ceiling(-4, 4, -4, 4, 4), kWhite}};
   for (int i = 0; i < 20; ++i) {
+    const int row = i / 5;
     const double x = (i % 5 - 2) * 0.5;
-    const double y = (i / 5 - 2) * 0.5;
+    const double y = (row - 2) * 0.5;
     const Ring small{{x, y, 1}, {x + 0.25, y, 1}, {x, y + 0.25, 1}};
     faces.push_back({small, kBlack});
     faces.push_back({Scaled(small, 2), kBlack});

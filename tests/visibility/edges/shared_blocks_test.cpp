@@ -91,8 +91,10 @@ Scene Outward(int count) {
   };
   for (int i = 0; i < 24; ++i)
     add(random.Uniform(-0.6, 0.6), random.Uniform(-0.6, 0.6));
-  for (int i = 0; i < count; ++i)
-    add(8 + 2.0 * (i % 100), 8 + 2.0 * (i / 100));
+  for (int i = 0; i < count; ++i) {
+    const int row = i / 100;
+    add(8 + 2.0 * (i % 100), 8 + 2.0 * row);
+  }
   return MakeScene(faces);
 }
 

@@ -19,7 +19,7 @@ namespace {
 void AddFile(const std::string& path, ContentHash& hash) {
   hash.AddText("file");
   InputFile file(path);
-  std::array<char, 1 << 16> piece;
+  std::array<char, 1 << 16> piece{};
   while (const std::size_t n = file.Read(piece))
     hash.Add({piece.data(), n});
 }

@@ -61,7 +61,7 @@ class PieceReader {
  private:
   bool Fill() {
     StopIfInterrupted();
-    std::array<char, 1 << 16> piece;
+    std::array<char, 1 << 16> piece{};
     const ssize_t n =
         pread(fd_, piece.data(), piece.size(), static_cast<off_t>(offset_));
     if (n < 0) throw UserError(name_, "cannot read", errno);

@@ -12,6 +12,7 @@
 
 #include "cli/option_values.h"
 #include "cli/oracle_arguments.h"
+#include "run/file_id.h"
 #include "run/file_place.h"
 #include "run/interrupt.h"
 #include "run/user_error.h"
@@ -114,7 +115,9 @@ std::string TableOfOne(const EvalArguments& arguments) {
 std::string PartOf(const EvalRequest& request) {
   if (request.output.empty())
     throw UsageError("--resume needs --output, a file");
-  if (request.receivers.empty() || request.receivers == "-") {
+  const auto table = FileIdOf(request.receivers);
+  if (request.receivers.empty() || request.receivers == "-" ||
+      (table && !table->IsRegular())) {
     throw UsageError(
         "--resume needs a table of receivers in a file that can be read again");
   }

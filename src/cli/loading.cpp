@@ -99,8 +99,9 @@ FaceChoice OnFaceOf(const std::optional<std::string>& on_face,
                     FaceWords& faces) {
   if (!on_face) return {};
   std::string defect = "the text is empty";
-  const std::optional<FaceChoice> choice =
-      on_face->empty() ? std::nullopt : faces.Parse(*on_face, defect);
+  const std::optional<FaceChoice> choice = TrimBlanks(*on_face).empty()
+                                               ? std::nullopt
+                                               : faces.Parse(*on_face, defect);
   if (!choice) throw UserError("--on-face: " + defect);
   return *choice;
 }

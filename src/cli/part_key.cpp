@@ -12,6 +12,7 @@
 #include "run/file_id.h"
 #include "run/input_file.h"
 #include "run/part_file.h"
+#include "run/user_error.h"
 
 namespace truelux {
 namespace {
@@ -51,7 +52,13 @@ std::string PartKey(const EvalRequest& request,
   for (const std::filesystem::path& file : files) {
     // Some may have been asked for in vain.
     const auto id = FileIdOf(file.string());
-    if (id && id->IsRegular()) AddFile(file.string(), hash);
+    if (!id || id->IsDirectory()) continue;
+    if (!id->IsRegular()) {
+      throw UserError(
+          "--resume needs a scene in files that can be read again: " +
+          file.string() + " is none");
+    }
+    AddFile(file.string(), hash);
   }
   AddFile(request.receivers, hash);
   return hash.Text();

@@ -30,6 +30,10 @@ std::string HashOf(std::string_view note, std::string_view bytes) {
   return hash.Text();
 }
 
+UserError RefusalOf(const std::string& path, const std::string& why) {
+  return UserError({Diagnostic{Severity::kError, path, 0, why}});
+}
+
 /// Reads a file from some offset on, in pieces.
 class PieceReader {
  public:
@@ -47,6 +51,15 @@ class PieceReader {
     std::string line = buffer_.substr(0, end);
     buffer_.erase(0, end + 1);
     return line;
+  }
+
+  /// So many bytes, or what there is.
+  std::string AtMost(std::size_t count) {
+    while (buffer_.size() < count && Fill()) {
+    }
+    std::string bytes = buffer_.substr(0, count);
+    buffer_.erase(0, bytes.size());
+    return bytes;
   }
 
   std::optional<std::string> Bytes(std::size_t count) {
@@ -130,8 +143,9 @@ PartFile::PartFile(std::string path, const std::string& key,
   fd_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kReadWriteForAll);
   if (fd_ < 0) throw UserError(path_, "cannot open", errno);
   try {
-    if (flock(fd_, LOCK_EX | LOCK_NB) != 0)
-      throw UserError(path_, "is another run's", errno);
+    if (flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+      throw RefusalOf(path_,
+                      "is written by another run, which has to end first");
     ReadAll("truelux part 1 " + key + "\n", take);
   } catch (...) {
     close(fd_);
@@ -147,16 +161,18 @@ void PartFile::ReadAll(const std::string& head,
                        const std::function<void(const std::string&)>& take) {
   head_size_ = head.size();
   PieceReader reader(fd_, path_, 0);
-  const std::optional<std::string> line = reader.Line();
-  if (line && *line + "\n" != head) {
-    throw UserError({Diagnostic{
-        Severity::kError, path_, 0,
-        line->starts_with("truelux part ")
+  const std::string found = reader.AtMost(head.size());
+  // A run that was killed at once has written the head in part or not at all.
+  const bool is_new = found.size() < head.size() && head.starts_with(found);
+  if (!is_new && found != head) {
+    throw RefusalOf(
+        path_,
+        found.starts_with("truelux part ")
             ? "is of another scene, other receivers, other options or another "
               "version; remove it, or give another output"
-            : "is no part of an output; remove it, or give another output"}});
+            : "is no part of an output; remove it, or give another output");
   }
-  if (line) {
+  if (!is_new) {
     size_ = head_size_;
     while (const std::optional<PartBlock> block = ReadBlock(reader)) {
       take(block->note);
@@ -168,7 +184,7 @@ void PartFile::ReadAll(const std::string& head,
     throw UserError(path_, "cannot write", errno);
   if (lseek(fd_, 0, SEEK_END) < 0)
     throw UserError(path_, "cannot write", errno);
-  if (!line) {
+  if (is_new) {
     size_ = head_size_;
     WriteAll(head);
   }

@@ -131,8 +131,8 @@ bool NearTriangle::IsPlaneWithin(const NearLimit& limit) const {
 }
 
 bool NearTriangle::IsFootWithin(const NearLimit& limit) const {
-  const auto [part, k] = NearestPart();
-  switch (part) {
+  const std::size_t k = NearestPart().index;
+  switch (NearestPart().part) {
     case Part::kInside:
       return true;
     case Part::kEdge:

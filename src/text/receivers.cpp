@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/ascii_case.h"
 #include "scene/io/quoted.h"
 
 namespace truelux {
@@ -14,7 +15,7 @@ namespace {
 
 bool IsResultColumn(std::string_view name) {
   return name.starts_with("E_") || name.starts_with("bound_") ||
-         name == kOnFaceFoundColumn;
+         LowerAscii(name) == kOnFaceFoundColumn;
 }
 
 }  // namespace

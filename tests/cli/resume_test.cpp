@@ -10,6 +10,8 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <sys/stat.h>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -142,11 +144,36 @@ TEST_F(Resume, AnotherSceneOrOptionIsRefused) {
 }
 
 TEST_F(Resume, WhatIsNoPartIsNotTouched) {
-  (void)folder_.Write("out.csv.part", "my notes\n");
-  const Outcome outcome = Run();
-  EXPECT_EQ(outcome.exit_status, 2);
-  EXPECT_TRUE(Contains(outcome.err, "is no part of an output"));
-  EXPECT_EQ(ReadFile(part_), "my notes\n");
+  for (const std::string& notes :
+       {std::string("my notes\n"), std::string("without an end"),
+        std::string(5000, 'P'), std::string("true")}) {
+    (void)folder_.Write("out.csv.part", notes);
+    const Outcome outcome = Run();
+    if (notes == "true") {  // what the head begins with
+      EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+      continue;
+    }
+    EXPECT_EQ(outcome.exit_status, 2);
+    EXPECT_TRUE(Contains(outcome.err, "is no part of an output"));
+    EXPECT_EQ(ReadFile(part_), notes);
+  }
+}
+
+// What cannot be read again cannot be gone on with.
+TEST_F(Resume, PipesAreRefused) {
+  const std::string pipe = folder_ / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const Outcome table =
+      RunTruelux({"eval", scene_, pipe, "-o", output_, "--resume"});
+  EXPECT_EQ(table.exit_status, 2);
+  EXPECT_TRUE(Contains(table.err, "--resume needs a table")) << table.err;
+  std::thread writer([&] { std::ofstream(pipe) << kSquareObj; });
+  const Outcome scene = RunTruelux(
+      {"eval", pipe, table_, "-o", output_, "--resume", "--lenient"});
+  writer.join();
+  EXPECT_EQ(scene.exit_status, 2);
+  EXPECT_TRUE(Contains(scene.err, "--resume needs a scene")) << scene.err;
+  EXPECT_FALSE(fs::exists(part_) || fs::exists(output_));
 }
 
 TEST_F(Resume, NeedsFiles) {

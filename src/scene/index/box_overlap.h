@@ -4,8 +4,10 @@
 #ifndef TRUELUX_SCENE_INDEX_BOX_OVERLAP_H_
 #define TRUELUX_SCENE_INDEX_BOX_OVERLAP_H_
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 
 #include "truelux/geometry.h"
 
@@ -23,11 +25,13 @@ class BoxOverlap {
   /// at most `half`. centre: finite. half >= 0, perhaps infinite. Requires a
   /// RoundUpward object in the calling thread.
   static BoxOverlap Around(const Point3& centre, double half) {
+    // Finite, so that empty boxes, which are infinitely far away, stay outside.
+    constexpr double kMost = std::numeric_limits<double>::max();
     const std::array<double, 3> at{centre.x, centre.y, centre.z};
     Box box;
     for (std::size_t k = 0; k < 3; ++k) {
-      box.hi[k] = at[k] + half;
-      box.lo[k] = -(half - at[k]);  // rounded downwards
+      box.hi[k] = std::min(at[k] + half, kMost);
+      box.lo[k] = std::max(-(half - at[k]), -kMost);  // rounded downwards
     }
     return BoxOverlap(box);
   }

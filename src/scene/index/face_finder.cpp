@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <tuple>
 
 #include "exact/decide.h"
@@ -71,7 +72,10 @@ class Limits {
       for (std::size_t axis = 0; axis < 3; ++axis)
         longest = std::max(longest, box.hi[axis] - box.lo[axis]);
     }
-    return common_.plain + 0x1p-22 * common_.coordinate + 0x1p-20 * longest;
+    // A number, however large: exact numbers know no infinity.
+    return std::min(
+        common_.plain + 0x1p-22 * common_.coordinate + 0x1p-20 * longest,
+        std::numeric_limits<double>::max());
   }
 
  private:

@@ -306,6 +306,30 @@ TEST(FaceFinder, TheLimitGrowsWithTheCoordinates) {
   EXPECT_FALSE(room.FaceNear({{4999, 4999, 0.6}, {0, 0, 1}}));
 }
 
+// At the ends of binary64's range nothing overflows into an exact number.
+TEST(FaceFinder, LimitsMayBeHuge) {
+  std::vector<TestFace> faces;
+  for (int i = 0; i < 30; ++i)
+    faces.push_back({testing::Floor(0, 1, 0, 1, i)});
+  const Scene scene = MakeScene(faces);
+  for (const double limit : {1e300, 1e308, 1.7976931348623157e308}) {
+    for (const Point3& at :
+         {Point3{0.5, 0.5, -1e-8}, Point3{0, 0, 0},
+          Point3{1e308, -1e308, 1e308}, Point3{5e-324, 1.7e308, 3}}) {
+      ASSERT_TRUE(scene.FaceNear({at, {0, 0, 1}}, 1.7976931348623157e308));
+      (void)scene.FaceNear({at, {0, 0, 1}}, limit);
+      (void)scene.FaceNear({at, {0, 0, 1}});
+      (void)scene.IsBehindFace({at, {0, 0, 1}});
+    }
+  }
+  const double huge = 1.7e308;
+  const Scene large =
+      MakeScene({{testing::Floor(-huge, huge, -huge, huge, 1)}});
+  EXPECT_TRUE(large.FaceNear({{huge, 0, 1}, {0, 0, 1}}));
+  EXPECT_TRUE(large.FaceNear({{huge, 0, -huge}, {0, 0, 1}}, 1e308) ||
+              !large.FaceNear({{huge, 0, -huge}, {0, 0, 1}}, 1e300));
+}
+
 // The back of a face that emits to both sides is no face of its own.
 TEST(FaceFinder, TwoSidedFacesCountOnce) {
   SceneBuilder builder("scene");

@@ -48,9 +48,9 @@ std::string Texels(const std::string& cells = "", char separator = ',') {
   if (!cells.empty()) text += ",on_face";
   text += '\n';
   for (int i = 0; i < kSide * kSide; ++i) {
+    const int row = i / kSide;
     const auto [x, y, z] =
-        OnRamp((i % kSide + 0.5) / kSide,
-               (static_cast<double>(i / kSide) + 0.5) / kSide);
+        OnRamp((i % kSide + 0.5) / kSide, (row + 0.5) / kSide);
     text += fmt::format("{},{},{},{},0,{}", x, y, z, Single(-0.4021),
                         Single(0.9156));
     if (!cells.empty()) text += "," + cells;

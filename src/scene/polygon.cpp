@@ -6,7 +6,6 @@
 #include <span>
 
 #include "exact/number.h"
-#include "scene/boundary_triangulation.h"
 #include "scene/ring_mesh.h"
 
 namespace truelux {
@@ -33,7 +32,12 @@ PolygonKind PolygonReader::Read(std::span<const Point3> ring) {
     triangles_.push_back({0, 1, 2});
     return PolygonKind::kPlanar;
   }
-  if (shape == RingShape::kPlanar && ring.size() > kFew) return ReadLarge();
+  if (shape == RingShape::kPlanar && ring.size() > kFew) {
+    const PolygonKind kind = ReadByMesh();
+    if (kind == PolygonKind::kNoPolygon)
+      contact_ = FindContact(projection_).value_or(BoundaryContact{});
+    return kind;
+  }
   if (const std::optional<BoundaryContact> contact = FindContact(projection_)) {
     contact_ = *contact;
     const PolygonKind kind = ReadMeetingItself(shape);
@@ -45,15 +49,14 @@ PolygonKind PolygonReader::Read(std::span<const Point3> ring) {
                                      : PolygonKind::kNotPlanar;
 }
 
-/// A planar ring of many points.
-PolygonKind PolygonReader::ReadLarge() {
+/// A planar ring that has many points or meets itself.
+PolygonKind PolygonReader::ReadByMesh() {
   switch (MeshInside(projection_, triangles_)) {
     case RingInside::kOnce:
       return PolygonKind::kPlanar;
     case RingInside::kNothing:
       return PolygonKind::kNoArea;
     default:
-      contact_ = FindContact(projection_).value_or(BoundaryContact{});
       return PolygonKind::kNoPolygon;
   }
 }
@@ -61,20 +64,15 @@ PolygonKind PolygonReader::ReadLarge() {
 /// A ring of four points or more whose image meets itself. Without triangles
 /// if it is not planar and the fan stands for it.
 PolygonKind PolygonReader::ReadMeetingItself(RingShape shape) {
+  if (shape == RingShape::kPlanar) return ReadByMesh();
   const RingInside inside = FindInside(projection_, boundary_);
-  switch (shape) {
-    case RingShape::kFlat:
-      return inside == RingInside::kNothing ? PolygonKind::kNoArea
-                                            : PolygonKind::kNoPolygon;
-    case RingShape::kPlanar:
-      if (inside != RingInside::kOnce) return PolygonKind::kNoPolygon;
-      TriangulateInside(projection_, boundary_, triangles_);
-      return PolygonKind::kPlanar;
-    default:
-      if (inside != RingInside::kOnce) return PolygonKind::kNotPlanar;
-      TriangulateMeetingItself(projection_, triangles_);
-      return PolygonKind::kNotPlanar;
+  if (shape == RingShape::kFlat) {
+    return inside == RingInside::kNothing ? PolygonKind::kNoArea
+                                          : PolygonKind::kNoPolygon;
   }
+  if (inside == RingInside::kOnce)
+    TriangulateMeetingItself(projection_, triangles_);
+  return PolygonKind::kNotPlanar;
 }
 
 /// The fan from the first point, without the triangles whose corners are on one

@@ -47,7 +47,7 @@ class PolygonReader {
   [[nodiscard]] const BoundaryContact& contact() const { return contact_; }
 
  private:
-  PolygonKind ReadLarge();
+  PolygonKind ReadByMesh();
   PolygonKind ReadMeetingItself(RingShape shape);
   void TakeFan(std::span<const Point3> ring);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inside of a planar ring of many points, as triangles.
+// The inside of a planar ring of many points, or of one that meets itself, as
+// triangles.
 
 #ifndef TRUELUX_SCENE_RING_MESH_H_
 #define TRUELUX_SCENE_RING_MESH_H_
@@ -13,8 +14,9 @@
 namespace truelux {
 
 /// What a ring in one plane encloses, as FindInside says, and if that is kOnce
-/// the triangles of its inside as TriangulateInside gives them. Exact. A ring
-/// that does not meet itself is the plainest case.
+/// triangles of positive area whose union is its inside, and which have whole
+/// edges in common or none: bridges are no edges of it. Exact. A ring that does
+/// not meet itself is the plainest case.
 ///
 /// Takes about n log n for n points, and the number of triangles that edges
 /// cross in a triangulation of the points alone. triangles  cleared first.

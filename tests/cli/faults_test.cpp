@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -48,6 +49,8 @@ struct FaultyRun {
 class Faults : public testing::TestWithParam<FaultyCommand> {
  protected:
   Faults() {
+    // The loader takes a blank in a path as the end of it.
+    std::filesystem::copy_file(TRUELUX_FAIL_ONCE, library_);
     const std::string scene = WriteSquare(folder_);
     (void)folder_.Write("in.csv", Table(40));
     (void)folder_.Write("values.csv",
@@ -67,7 +70,7 @@ class Faults : public testing::TestWithParam<FaultyCommand> {
     std::remove(mark.c_str());
     setenv("TRUELUX_FAULT", (fault + ":" + std::to_string(n)).c_str(), 1);
     setenv("TRUELUX_FAULT_MARK", mark.c_str(), 1);
-    setenv("LD_PRELOAD", TRUELUX_FAIL_ONCE, 1);
+    setenv("LD_PRELOAD", library_.c_str(), 1);
     FaultyRun run;
     run.fault = fault;
     run.outcome = RunTruelux(words);
@@ -94,6 +97,7 @@ class Faults : public testing::TestWithParam<FaultyCommand> {
   }
 
   TemporaryFolder folder_;
+  std::string library_ = folder_ / "fail_once.so";
 };
 
 /// How often a command met a fault, and how it ended.

@@ -21,7 +21,6 @@
 namespace truelux {
 namespace {
 
-using testing::Ceiling;
 using testing::Floor;
 using testing::kLamp;
 using testing::MakeScene;

@@ -59,7 +59,8 @@ mpq_class LimitOf(const Scene& scene, const Face& face,
     mpq_class high;
     for (int i = 0; i < face.corner_count; ++i) {
       const int v =
-          scene.corners()[static_cast<std::size_t>(face.first_corner + i)];
+          scene.corners()[static_cast<std::size_t>(face.first_corner) +
+                          static_cast<std::size_t>(i)];
       const Point3& q = scene.vertices()[static_cast<std::size_t>(v)];
       const mpq_class x = axis == 0 ? q.x : axis == 1 ? q.y : q.z;
       if (i == 0 || x < low) low = x;
@@ -192,7 +193,8 @@ TEST(FaceFinder, TheNearestIsFoundFromAnyDistance) {
       {testing::Ceiling(0, 1, 0, 1, 0)}};
   const Scene scene = MakeScene(faces);
   const FaceFinder finder(scene, AllFaces(scene));
-  for (double z = 0x1p-900; z < 0x1p900; z *= 8) {
+  for (int exponent = -900; exponent < 900; exponent += 3) {
+    const double z = std::ldexp(1.0, exponent);
     const auto found = finder.Nearest(scene, {{0.5, 0.5, 1 + z}, {0, 0, 1}});
     ASSERT_TRUE(found);
     EXPECT_EQ(found->number, 1) << z;

@@ -51,9 +51,11 @@ ExitStatus RunGuarded(int argc, char** argv) {
     Print(error.diagnostics());
     return ExitStatus::kBadInput;
   } catch (const Interruption&) {
+    NoMoreHurry();
     PrintLine("interrupted");
     return ExitStatus::kInterrupted;
   } catch (const Stopped&) {  // by the same signal, within the library
+    NoMoreHurry();
     PrintLine("interrupted");
     return ExitStatus::kInterrupted;
   } catch (const ReaderGone&) {

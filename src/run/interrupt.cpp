@@ -74,6 +74,11 @@ const StopFlag* InterruptFlag() {
   return &interrupted;
 }
 
+void NoMoreHurry() {
+  const itimerval never = {};
+  setitimer(ITIMER_REAL, &never, nullptr);
+}
+
 void StopIfInterrupted() {
   if (Interrupted()) throw Interruption{};
 }

@@ -23,6 +23,9 @@ void CatchSignals();
 /// The flag itself, for calls of the library.
 [[nodiscard]] const StopFlag* InterruptFlag();
 
+/// Once the work has been left or is done: what remains takes its time.
+void NoMoreHurry();
+
 /// Throws Interruption if Interrupted().
 void StopIfInterrupted();
 

@@ -65,7 +65,7 @@ PolygonKind PolygonReader::ReadByMesh() {
 /// if it is not planar and the fan stands for it.
 PolygonKind PolygonReader::ReadMeetingItself(RingShape shape) {
   if (shape == RingShape::kPlanar) return ReadByMesh();
-  const RingInside inside = FindInside(projection_, boundary_);
+  const RingInside inside = FindInside(projection_);
   if (shape == RingShape::kFlat) {
     return inside == RingInside::kNothing ? PolygonKind::kNoArea
                                           : PolygonKind::kNoPolygon;

@@ -52,7 +52,6 @@ class PolygonReader {
   void TakeFan(std::span<const Point3> ring);
 
   ProjectedRing projection_;
-  std::vector<BoundaryStep> boundary_;
   std::vector<RingTriangle> triangles_;
   BoundaryContact contact_;
 };

@@ -21,6 +21,12 @@
 namespace truelux {
 namespace {
 
+/// A piece of an edge of the ring, from one of its points to another.
+struct BoundaryStep {
+  int from = 0;
+  int to = 0;
+};
+
 /// The pieces of a ring's image.
 class RingSteps {
  public:
@@ -151,10 +157,9 @@ int WindingLeftOf(const ProjectedRing& ring,
 
 }  // namespace
 
-RingInside FindInside(const ProjectedRing& ring,
-                      std::vector<BoundaryStep>& boundary) {
+RingInside FindInside(const ProjectedRing& ring) {
   assert(IsRoundingUpward());
-  boundary.clear();
+  std::vector<BoundaryStep> boundary;
   if (!RingSteps(ring).Boundary(boundary)) return RingInside::kOther;
   if (boundary.empty()) return RingInside::kNothing;
   if (AnyCross(ring, boundary)) return RingInside::kOther;

@@ -4,8 +4,6 @@
 #ifndef TRUELUX_SCENE_RING_INSIDE_H_
 #define TRUELUX_SCENE_RING_INSIDE_H_
 
-#include <vector>
-
 #include "scene/projected_ring.h"
 
 namespace truelux {
@@ -17,25 +15,14 @@ enum class RingInside {
   kOther,    ///< some are neither 0 nor 1
 };
 
-/// A piece of an edge of the ring, from one of its points to another.
-struct BoundaryStep {
-  int from = 0;
-  int to = 0;
-};
-
 /// Decides that, exactly, but for one case: where three edges or more cross in
 /// one point that is no point of the ring, the numbers around it may be 0 and 1
 /// in turn; that is kOther all the same, since the point would be a corner of
 /// the inside, and binary64 need not have it. The answer does not depend on
 /// where the ring begins.
 ///
-/// boundary: of a ring with inside kOnce, what bounds its inside, which lies on
-/// the left of every step; points that coincide are given by the same index.
-/// Steps have nothing in common but their ends.
-///
 /// Takes O(n^2) tests. Requires RoundUpward.
-RingInside FindInside(const ProjectedRing& ring,
-                      std::vector<BoundaryStep>& boundary);
+RingInside FindInside(const ProjectedRing& ring);
 
 }  // namespace truelux
 

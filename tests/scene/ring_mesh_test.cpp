@@ -58,8 +58,7 @@ TEST(RingMesh, AgreesWithTheComparisonOfAllEdges) {
     if (projected.Project(points) != RingShape::kPlanar) continue;
     Triangles triangles;
     const RingInside inside = MeshInside(projected, triangles);
-    std::vector<BoundaryStep> boundary;
-    ASSERT_EQ(inside, FindInside(projected, boundary)) << i;
+    ASSERT_EQ(inside, FindInside(projected)) << i;
     const bool is_simple = !FindContact(projected);
     ++seen[(is_simple ? "simple " : "meets itself ") +
            std::to_string(static_cast<int>(inside))];

@@ -104,7 +104,7 @@ fuzz() {
   local grown="$build/grown/$1" log="$build/$1.log"
   mkdir -p -- "$grown"
   "$build/fuzz/$1_fuzz" -max_total_time="${TRUELUX_FUZZ_SECONDS:-60}" \
-    -timeout=10 -artifact_prefix="$build/$1-" \
+    -timeout=10 -close_fd_mask=3 -artifact_prefix="$build/$1-" \
     "$grown" "fuzz/corpus/$1" >"$log" 2>&1 || {
     tail -n 40 "$log" >&2
     return 1

@@ -106,10 +106,13 @@ ExitStatus RunBench(const BenchArguments& arguments) {
   const Scene scene = LoadScene(request.scene, outputs);
   std::vector<Receiver> chosen = SomeReceivers(request, outputs, scene);
   NoteBehindFaces(Oracle(scene), chosen);
-  const MethodList list = PrepareMethods(scene, request.choice);
-  StopIfInterrupted();
-  Comparison comparison =
-      RunMethods(scene, std::move(chosen), list, request.limits);
+  Comparison comparison = [&] {
+    // Embree may want a thread to give back what it has: not after the files
+    // have their names.
+    const MethodList list = PrepareMethods(scene, request.choice);
+    StopIfInterrupted();
+    return RunMethods(scene, std::move(chosen), list, request.limits);
+  }();
   comparison.scene =
       std::filesystem::path(request.scene.path).filename().string();
 

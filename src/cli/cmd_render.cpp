@@ -4,15 +4,24 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <filesystem>
+#include <fmt/format.h>
 #include <memory>
+#include <optional>
+#include <vector>
+
+#include "truelux/stop.h"
 
 #include "cli/loading.h"
+#include "cli/part_key.h"
 #include "image/extra_picture.h"
 #include "image/picture.h"
 #include "image/picture_view.h"
+#include "image/pixel_part.h"
 #include "image/pixel_table.h"
 #include "image/pixels_on_faces.h"
 #include "image/render_pixels.h"
+#include "image/tile_grid.h"
 #include "run/interrupt.h"
 #include "run/messages.h"
 #include "run/output_file.h"
@@ -22,13 +31,49 @@
 namespace truelux {
 namespace {
 
+/// All files that are written, also what --resume keeps.
+OutputPaths Outputs(const RenderRequest& request) {
+  OutputPaths outputs = request.outputs;
+  if (!request.part.empty()) outputs.push_back({"--resume", request.part});
+  return outputs;
+}
+
+std::uint64_t PixelCount(const PixelReceivers& receivers) {
+  return static_cast<std::uint64_t>(receivers.width()) *
+         static_cast<std::uint64_t>(receivers.height());
+}
+
+std::string DoneText(const PixelPart& part, const PixelReceivers& receivers) {
+  return fmt::format("{} of {} pixels", part.done(), PixelCount(receivers));
+}
+
+/// What is left of an interrupted run.
+void NoteKept(const PixelPart* part, const PixelReceivers& receivers) {
+  PrintNote(part == nullptr
+                ? "nothing was kept; --resume keeps what is done"
+                : fmt::format("{} keeps {}; the same command goes on",
+                              part->path(), DoneText(*part, receivers)));
+}
+
 RenderedPixels RenderShowingProgress(const Oracle& oracle,
                                      const PixelReceivers& receivers,
-                                     const PixelWishes& wishes, int threads) {
-  const auto count = static_cast<std::uint64_t>(receivers.width()) *
-                     static_cast<std::uint64_t>(receivers.height());
-  Progress progress(count, "pixels");
-  return RenderPixels(oracle, receivers, wishes, threads, progress);
+                                     const RenderRequest& request,
+                                     PixelPart* part) {
+  if (part != nullptr && part->done() > 0) {
+    PrintNote(fmt::format("{} has {} already", part->path(),
+                          DoneText(*part, receivers)));
+  }
+  try {
+    Progress progress(PixelCount(receivers), "pixels");
+    return RenderPixels(oracle, receivers, request.wishes, request.threads,
+                        part, progress);
+  } catch (const Interruption&) {
+    NoteKept(part, receivers);
+    throw;
+  } catch (const Stopped&) {
+    NoteKept(part, receivers);
+    throw;
+  }
 }
 
 void WritePicture(OutputFile& file, const IrradianceImage& image,
@@ -79,13 +124,14 @@ void NoteDarkness(const Scene& scene, const PixelReceivers& receivers,
 
 ExitStatus RunRender(const RenderArguments& arguments) {
   const RenderRequest request = ParseRenderRequest(arguments);
-  CheckOutputs(request.outputs);
+  CheckOutputs(Outputs(request));
   // Opened before the long work, so that a bad path is known at once.
   std::deque<OutputFile> files;
   for (const OutputPath& output : request.outputs)
     files.emplace_back(output.path);
 
-  const Oracle oracle(LoadScene(request.scene, request.outputs),
+  std::vector<std::filesystem::path> scene_files;
+  const Oracle oracle(LoadScene(request.scene, Outputs(request), &scene_files),
                       request.options);
   const PictureFrame frame = FrameOf(oracle.scene(), request.subject);
   Print(frame.notes);
@@ -94,8 +140,12 @@ ExitStatus RunRender(const RenderArguments& arguments) {
   const std::unique_ptr<PixelReceivers> other =
       OnOtherFaces(oracle.scene(), *shown, request);
   const PixelReceivers& receivers = other ? *other : *shown;
-  const RenderedPixels pixels =
-      RenderShowingProgress(oracle, receivers, request.wishes, request.threads);
+  std::optional<PixelPart> part;
+  if (!request.part.empty())
+    part.emplace(request.part, PartKey(request, scene_files),
+                 TileGrid(receivers.width(), receivers.height()));
+  const RenderedPixels pixels = RenderShowingProgress(
+      oracle, receivers, request, part ? &*part : nullptr);
 
   NoteDarkness(oracle.scene(), receivers, pixels.image);
   auto file = files.begin();
@@ -108,6 +158,7 @@ ExitStatus RunRender(const RenderArguments& arguments) {
     (file++)->Write(ExtraPictureOf(extra, pixels, request.style.channel));
   }
   Commit(files);
+  if (part) part->Remove();
   return ExitStatus::kDone;
 }
 

@@ -29,13 +29,10 @@ std::string TextOf(const std::optional<double>& number) {
   return number ? fmt::format("{:a}", *number) : "";
 }
 
-}  // namespace
-
-std::string PartKey(const EvalRequest& request,
-                    const std::vector<std::filesystem::path>& files) {
-  ContentHash hash;
-  const OracleOptions& options = request.options;
-  const ReadOptions& reading = request.scene.options;
+/// What every command depends on: version, options, and the scene's files.
+void AddScene(const OracleOptions& options, const ReadOptions& reading,
+              const std::vector<std::filesystem::path>& files,
+              ContentHash& hash) {
   const std::vector<std::string> words = {
       std::string(VersionText()),
       std::string(Name(options.method)),
@@ -45,8 +42,7 @@ std::string PartKey(const EvalRequest& request,
       fmt::format("{:a}", options.half_side),
       reading.lenient ? "lenient" : "",
       reading.two_sided ? "two-sided" : "",
-      TextOf(reading.opaque_from),
-      request.on_face.value_or("")};
+      TextOf(reading.opaque_from)};
   for (const std::string& word : words)
     hash.AddText(word);
   for (const std::filesystem::path& file : files) {
@@ -60,7 +56,25 @@ std::string PartKey(const EvalRequest& request,
     }
     AddFile(file.string(), hash);
   }
+}
+
+}  // namespace
+
+std::string PartKey(const EvalRequest& request,
+                    const std::vector<std::filesystem::path>& files) {
+  ContentHash hash;
+  AddScene(request.options, request.scene.options, files, hash);
+  hash.AddText(request.on_face.value_or(""));
   AddFile(request.receivers, hash);
+  return hash.Text();
+}
+
+std::string PartKey(const RenderRequest& request,
+                    const std::vector<std::filesystem::path>& files) {
+  ContentHash hash;
+  AddScene(request.options, request.scene.options, files, hash);
+  for (const std::string& word : request.pixel_words)
+    hash.AddText(word);
   return hash.Text();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the rows of an evaluation depend on.
+// What the rows of an evaluation, or the pixels of a picture, depend on.
 
 #ifndef TRUELUX_CLI_PART_KEY_H_
 #define TRUELUX_CLI_PART_KEY_H_
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/eval_request.h"
+#include "cli/render_request.h"
 
 namespace truelux {
 
@@ -18,6 +19,11 @@ namespace truelux {
 /// Interruption.
 [[nodiscard]] std::string PartKey(
     const EvalRequest& request,
+    const std::vector<std::filesystem::path>& files);
+
+/// The same for the pixels of a picture, which may still be coloured otherwise.
+[[nodiscard]] std::string PartKey(
+    const RenderRequest& request,
     const std::vector<std::filesystem::path>& files);
 
 }  // namespace truelux

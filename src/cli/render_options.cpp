@@ -95,6 +95,12 @@ std::vector<OptionRow> OutputOptions(RenderArguments& arguments) {
                "the visible contour, or lit, umbra, penumbra, conjunctive;\n"
                "may be given for each",
        .choices = {"error", "arcs", "class"}},
+      {.name = "--resume",
+       .target = &arguments.resume,
+       .help =
+           "keep the pixels that are done in FILE.part, of the picture's\n"
+           "name, and go on from it if it is there; give it from the first\n"
+           "run on"},
   };
 }
 

@@ -15,6 +15,7 @@
 #include "base/ascii_case.h"
 #include "cli/option_values.h"
 #include "cli/oracle_arguments.h"
+#include "run/file_place.h"
 #include "run/interrupt.h"
 #include "run/user_error.h"
 #include "text/results.h"
@@ -202,6 +203,21 @@ std::vector<ImageText> ExrTexts(const std::string& scene,
           {"engine", std::string(Name(options.engine))}};
 }
 
+std::vector<std::string> PixelWords(const RenderArguments& arguments,
+                                    const PixelWishes& wishes) {
+  std::vector<std::string> words = {arguments.size};
+  for (const std::optional<std::string>& word :
+       {arguments.surface, arguments.on_face, arguments.eye, arguments.target,
+        arguments.up, arguments.fov}) {
+    words.push_back(word ? "given " + *word : "");
+  }
+  for (const bool wish :
+       {wishes.bounds, wishes.differences, wishes.arcs, wishes.classes}) {
+    words.emplace_back(wish ? "yes" : "no");
+  }
+  return words;
+}
+
 }  // namespace
 
 RenderRequest ParseRenderRequest(const RenderArguments& arguments) {
@@ -226,6 +242,10 @@ RenderRequest ParseRenderRequest(const RenderArguments& arguments) {
   }
   request.wishes.bounds =
       request.values && request.options.method == Method::kDouble;
+  if (arguments.resume) {
+    request.part = FollowLinks(request.outputs.front().path) + ".part";
+    request.pixel_words = PixelWords(arguments, request.wishes);
+  }
   request.style.texts = ExrTexts(request.scene.path, request.options);
   return request;
 }

@@ -33,6 +33,7 @@ struct RenderArguments {
   std::optional<std::string> receivers_out;
   std::optional<std::string> values;
   std::vector<std::string> also;
+  bool resume = false;
   std::optional<std::string> exposure;
   std::optional<std::string> white;
   bool false_colour = false;
@@ -60,6 +61,10 @@ struct RenderRequest {
   bool receivers_out = false;
   bool values = false;
   std::vector<ExtraPicture> also;  ///< each once, in the order of the enum
+  std::string part;                ///< path of what --resume keeps; "": none
+  /// The words of the command line that pixels depend on, besides `options`
+  /// and `scene`.
+  std::vector<std::string> pixel_words;
 };
 
 /// Throws UsageError if the words do not fit together or are no numbers.

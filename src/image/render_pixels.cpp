@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "image/render_pixels.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <oneapi/tbb/parallel_for.h>
@@ -9,17 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "base/receiver_block.h"
+#include "image/tile_grid.h"
 #include "run/interrupt.h"
 #include "run/parallel.h"
 
 namespace truelux {
 namespace {
 
-/// A side of the square tiles that are handed to the oracle: a whole tile is
-/// one block of receivers.
-constexpr int kTile = kReceiverBlockSide;
-constexpr std::size_t kTilePixels = std::size_t{kTile} * kTile;
+constexpr std::size_t kTilePixels = std::size_t{kTileSide} * kTileSide;
 
 /// The pixels of one tile that have receivers.
 struct Tile {
@@ -43,10 +39,11 @@ OracleOptions OtherMethod(OracleOptions options) {
 class Renderer {
  public:
   Renderer(const Oracle& oracle, const PixelReceivers& receivers,
-           const PixelWishes& wishes, Progress& progress)
+           const PixelWishes& wishes, PixelPart* part, Progress& progress)
       : oracle_(oracle),
         receivers_(receivers),
         wishes_(wishes),
+        part_(part),
         progress_(progress),
         is_long_(wishes.arcs || wishes.classes) {
     const int w = receivers.width();
@@ -65,31 +62,31 @@ class Renderer {
   }
 
   RenderedPixels Run(int threads) {
-    const auto tiles = [](int side) {
-      return static_cast<std::size_t>((side + kTile - 1) / kTile);
-    };
-    const std::size_t across = tiles(receivers_.width());
-    const std::size_t count = across * tiles(receivers_.height());
+    const TileGrid grid(receivers_.width(), receivers_.height());
+    std::vector<bool> done;
+    if (part_ != nullptr) {
+      done = part_->Restore(result_);
+      progress_.Advance(part_->done());
+    }
     WithThreads(threads, [&] {
-      tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+      tbb::parallel_for(std::size_t{0}, grid.size(), [&](std::size_t i) {
+        if (part_ != nullptr && done[i]) return;
         StopIfInterrupted();
-        Tile tile = MakeTile(static_cast<int>(i % across) * kTile,
-                             static_cast<int>(i / across) * kTile);
+        Tile tile = MakeTile(grid[i]);
         Render(tile);
+        if (part_ != nullptr) part_->Take(i, result_);
       });
     });
     return std::move(result_);
   }
 
  private:
-  [[nodiscard]] Tile MakeTile(int left, int top) {
+  [[nodiscard]] Tile MakeTile(const TileArea& area) {
     Tile tile;
     tile.pixels.reserve(kTilePixels);
     tile.receivers.reserve(kTilePixels);
-    const int right = std::min(left + kTile, receivers_.width());
-    const int bottom = std::min(top + kTile, receivers_.height());
-    for (int y = top; y < bottom; ++y) {
-      for (int x = left; x < right; ++x) {
+    for (int y = area.top; y < area.bottom; ++y) {
+      for (int x = area.left; x < area.right; ++x) {
         if (const auto receiver = receivers_.At(x, y)) {
           tile.pixels.push_back({x, y});
           tile.receivers.push_back(*receiver);
@@ -163,6 +160,7 @@ class Renderer {
   const PixelReceivers& receivers_;
   const PixelWishes& wishes_;
   std::optional<Oracle> other_;  ///< if differences are wished for
+  PixelPart* part_;              ///< may be null
   Progress& progress_;
   /// Whether contours are described, which takes longest.
   bool is_long_;
@@ -174,8 +172,8 @@ class Renderer {
 RenderedPixels RenderPixels(const Oracle& oracle,
                             const PixelReceivers& receivers,
                             const PixelWishes& wishes, int threads,
-                            Progress& progress) {
-  return Renderer(oracle, receivers, wishes, progress).Run(threads);
+                            PixelPart* part, Progress& progress) {
+  return Renderer(oracle, receivers, wishes, part, progress).Run(threads);
 }
 
 }  // namespace truelux

@@ -4,14 +4,11 @@
 #ifndef TRUELUX_IMAGE_RENDER_PIXELS_H_
 #define TRUELUX_IMAGE_RENDER_PIXELS_H_
 
-#include <cstdint>
-
 #include "truelux/irradiance.h"
 
-#include "explain/shadow_class.h"
-#include "image/irradiance_image.h"
+#include "image/pixel_part.h"
 #include "image/pixel_receivers.h"
-#include "image/raster.h"
+#include "image/rendered_pixels.h"
 #include "run/progress.h"
 
 namespace truelux {
@@ -24,23 +21,15 @@ struct PixelWishes {
   bool classes = false;
 };
 
-/// What pixels have; a raster that is not wished for is empty.
-struct RenderedPixels {
-  IrradianceImage image;
-  Raster<Rgb> bounds;         ///< as in Irradiance
-  Raster<Rgb> differences;    ///< |value - the other method's|
-  Raster<std::int32_t> arcs;  ///< 0 where there is no receiver
-  Raster<ShadowClass> classes;
-};
-
 /// Evaluates the receivers of all pixels. The result does not depend on the
 /// number of threads. Counts pixels in `progress`, those without a receiver,
-/// too. Throws Interruption within one receiver per thread after the program
-/// was interrupted.
+/// too. part: has the tiles that earlier runs have done, and keeps those that
+/// are done now; may be null. Throws Interruption within one receiver per
+/// thread after the program was interrupted.
 RenderedPixels RenderPixels(const Oracle& oracle,
                             const PixelReceivers& receivers,
                             const PixelWishes& wishes, int threads,
-                            Progress& progress);
+                            PixelPart* part, Progress& progress);
 
 }  // namespace truelux
 

@@ -11,6 +11,7 @@
 #include "radiometry/evaluation_workspace.h"
 #include "radiometry/named_formula.h"
 #include "radiometry/stages/ball_stage.h"
+#include "radiometry/stages/floor_bound.h"
 #include "radiometry/stages/multiprecision_answer.h"
 #include "radiometry/stages/multiprecision_stage.h"
 #include "radiometry/stages/rounding.h"
@@ -105,6 +106,7 @@ Irradiance EvaluateWeighted(const WeightedContour& contour,
   if (evaluation.method == Method::kDouble &&
       evaluation.formula != Formula::kAuto) {
     TakeAll(EvaluateByFormula(contour, evaluation), open, result);
+    NarrowFloorBounds(contour, evaluation, result);
     result.statistics.evaluated_double = 1;
     return result;
   }
@@ -118,6 +120,7 @@ Irradiance EvaluateWeighted(const WeightedContour& contour,
     if (!Any(open)) {
       if (!contour.contour.is_joined && HasWideBound(result)) {
         TakeNarrower(EvaluateByFormula(contour, evaluation), result);
+        NarrowFloorBounds(contour, evaluation, result);
       }
       result.statistics.evaluated_double = 1;
       return result;

@@ -32,8 +32,10 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// One more receiver is done. Any thread may call it.
-  void Advance() { done_.fetch_add(1, std::memory_order_relaxed); }
+  /// So many more are done. Any thread may call it.
+  void Advance(std::uint64_t count = 1) {
+    done_.fetch_add(count, std::memory_order_relaxed);
+  }
 
   [[nodiscard]] std::uint64_t done() const { return done_; }
 

@@ -92,6 +92,14 @@ class Entry {
 
   [[nodiscard]] const std::string& name() const { return method_.name; }
 
+  /// Processor time of a receiver, as it was found [s].
+  [[nodiscard]] double SecondsOfOne() const {
+    return 1e-6 * result_.microseconds;
+  }
+
+  /// One receiver at a time, for receivers of which a block takes too long.
+  void TakeSingly() { block_size_ = 1; }
+
   [[nodiscard]] MethodResult TakeResult() { return std::move(result_); }
 
  private:
@@ -203,9 +211,13 @@ Comparison RunMethods(const Scene& scene, std::vector<Receiver> receivers,
   std::vector<Entry> entries;
   for (const Contender& method : list.methods)
     entries.emplace_back(method, comparison.receivers);
-  for (Entry& entry : entries) {
-    const bool is_truth = &entry == &entries.front();
-    entry.FindValues(is_truth ? std::nullopt : std::optional(limits.seconds));
+  Entry& truth = entries.front();
+  truth.FindValues(std::nullopt);
+  const bool is_block_long =
+      truth.SecondsOfOne() * kReceiverBlock > limits.seconds;
+  for (Entry& entry : std::span(entries).subspan(1)) {
+    if (is_block_long) entry.TakeSingly();
+    entry.FindValues(limits.seconds);
   }
   TimeInTurns(entries, limits);
   for (Entry& entry : entries)

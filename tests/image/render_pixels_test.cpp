@@ -39,7 +39,8 @@ Scene Room() {
 RenderedPixels Rendered(const Oracle& oracle, const PixelReceivers& receivers,
                         const PixelWishes& wishes) {
   Progress progress(std::nullopt, "pixels");
-  RenderedPixels pixels = RenderPixels(oracle, receivers, wishes, 2, progress);
+  RenderedPixels pixels =
+      RenderPixels(oracle, receivers, wishes, 2, nullptr, progress);
   EXPECT_EQ(progress.done(), static_cast<std::uint64_t>(kSize.width) *
                                  static_cast<std::uint64_t>(kSize.height));
   return pixels;

@@ -54,6 +54,39 @@ TEST_P(DoubleBound, IsSmallForOrdinarySources) {
   }
 }
 
+// A triangle of about 1 m from up to 1e140 m: its form factor is far below the
+// floor that every operation of a ball adds to the bound.
+TEST_P(DoubleBound, HasNoFloorForSourcesFarAway) {
+  PortableRandom random(43);
+  const Rgb emission = {1e308, 1, 1e-20};
+  for (int i = 0; i < 200; ++i) {
+    const double distance = std::pow(10, random.Uniform(55, 140));
+    const Point3 position = {0, 0, 0};
+    const Vector3 normal = {random.Uniform(-1, 1), random.Uniform(-1, 1), 2};
+    std::vector<Point3> ring;
+    for (int k = 0; k < 3; ++k) {
+      const double angle = -2.1 * k + random.Uniform(-0.3, 0.3);
+      ring.push_back({std::cos(angle), std::sin(angle), distance});
+    }
+    const Real truth = FormFactor(ring, position, normal);
+    HandContour contour(position, normal);
+    contour.AddConvexPolygon(ring, emission);
+    for (const Formula formula : {GetParam(), Formula::kDifference}) {
+      const Irradiance result = contour.Evaluate(Plain(formula));
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        const Real irradiance = truth * Real(emission[channel]);
+        if (irradiance <= Real(1e-290)) continue;
+        const Real bound(result.bound[channel]);
+        ASSERT_LE(Abs(Real(result.value[channel]) - irradiance), bound) << i;
+        // Beyond, values lose digits to underflow; sums over vertices lose
+        // theirs to cancellation.
+        if (distance > 1e130 || formula == Formula::kUnified) continue;
+        EXPECT_LE(bound, irradiance * Real(1e-9)) << i << " " << distance;
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(BothFormulas, DoubleBound,
                          ::testing::Values(Formula::kAuto, Formula::kUnified));
 

@@ -39,12 +39,13 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"compare", {"base", "scene", "visibility", "text", "run", "explain"}},
     {"image",
      {"base", "exact", "scene", "visibility", "text", "run", "explain"}},
+    {"gradient", {"base", "text", "run"}},
     {"study",
      {"base", "scene", "visibility", "text", "run", "explain", "draw",
       "baselines"}},
     {"cli",
      {"base", "scene", "text", "run", "explain", "draw", "inspect", "compare",
-      "image", "study", "baselines"}},
+      "gradient", "image", "study", "baselines"}},
 };
 
 struct Source {

@@ -93,6 +93,10 @@ struct Irradiance {
   Statistics statistics;  ///< what it cost
 };
 
+struct Derivatives;
+struct DerivativeOptions;
+struct VertexDerivatives;
+
 /// Answers for one scene. Const methods may be called from several threads;
 /// copies share what was prepared.
 ///
@@ -159,6 +163,27 @@ class TRUELUX_EXPORT Oracle {
   /// The form factors of all emitting faces, with the visibility of all of them
   /// decided together. Each has the value and the bound of FormFactor.
   [[nodiscard]] FormFactorTable FormFactors(const Receiver& receiver) const;
+
+  /// E and its derivatives by the receiver's place and normal
+  /// (truelux/derivatives.h). By the contour engine, whatever the options say
+  /// of engine and formula.
+  [[nodiscard]] truelux::Derivatives Derivatives(
+      const Receiver& receiver) const;
+  [[nodiscard]] truelux::Derivatives Derivatives(
+      const Receiver& receiver, const DerivativeOptions& options) const;
+
+  /// The same for many receivers: take(i, derivatives at receivers[i]), i = 0,
+  /// 1, 2, ... in the calling thread, as Evaluate does.
+  void Derivatives(
+      std::span<const Receiver> receivers, const DerivativeOptions& options,
+      const std::function<void(std::size_t, const truelux::Derivatives&)>& take)
+      const;
+
+  /// dE/dv of every scene vertex on which E depends at a receiver, one-sided
+  /// where the derivative differs with the direction. Certified, whatever the
+  /// options say of method.
+  [[nodiscard]] truelux::VertexDerivatives VertexDerivatives(
+      const Receiver& receiver) const;
 
   /// The visible contour of every source that is visible from the receiver.
   /// kAngularSpans has no contour of its own and gives that of kArrangement.

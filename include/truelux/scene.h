@@ -95,6 +95,10 @@ class TRUELUX_EXPORT Scene {
   /// The rings of all faces, one after the other, as indices into vertices():
   /// each from the first corner of the input, without equal neighbours.
   [[nodiscard]] std::span<const int> corners() const;
+  /// The input's number of the vertex of each corner, in the order of
+  /// corners(): two vertices of a file in one place keep their numbers. Made in
+  /// code without numbers: the index into vertices() plus 1.
+  [[nodiscard]] std::span<const int> corner_numbers() const;
   /// Names of objects and groups as "object/group"; entry 0 is "".
   [[nodiscard]] std::span<const std::string> group_names() const;
   /// The faces that were left out on request, reason by reason.
@@ -160,6 +164,10 @@ class TRUELUX_EXPORT SceneBuilder {
   /// Returns the face's number, counted from 1. Defects are reported by
   /// Build(), not here.
   int AddFace(std::vector<Point3> ring, const Rgb& emission = {}, int line = 0);
+
+  /// Names the vertices of the next face, one number per corner of its ring,
+  /// for Scene::corner_numbers(); all faces of a scene have numbers, or none.
+  void SetVertexNumbers(std::vector<int> numbers);
 
   /// Adds a face that only keeps its number, in the place of one that cannot be
   /// taken. reason: for Scene::left_out(). Returns the face's number.

@@ -13,6 +13,7 @@
 #ifndef TRUELUX_TRUELUX_H_
 #define TRUELUX_TRUELUX_H_
 
+#include "truelux/derivatives.h"
 #include "truelux/diagnostics.h"
 #include "truelux/form_factors.h"
 #include "truelux/formulas.h"

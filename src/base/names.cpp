@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "truelux/derivatives.h"
 #include "truelux/diagnostics.h"
 #include "truelux/formulas.h"
 #include "truelux/irradiance.h"
@@ -17,6 +18,18 @@ std::string_view Name(Severity severity) {
       return "error";
     case Severity::kNote:
       return "note";
+  }
+  return "";
+}
+
+std::string_view Name(Smoothness smoothness) {
+  switch (smoothness) {
+    case Smoothness::kC1:
+      return "C1";
+    case Smoothness::kKink:
+      return "kink";
+    case Smoothness::kDiscontinuous:
+      return "discontinuous";
   }
   return "";
 }

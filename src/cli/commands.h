@@ -15,6 +15,8 @@ Command EvalCommand();
 Command BenchCommand();
 /// truelux compare: another program's values, held against the truth.
 Command CompareCommand();
+/// truelux gradient: derivatives of irradiance.
+Command GradientCommand();
 /// truelux inspect: all that one receiver sees, as a picture and as numbers.
 Command InspectCommand();
 /// truelux render: pictures of a scene, one irradiance a pixel.

@@ -39,7 +39,8 @@ ExitStatus Run(int argc, char** argv) {
        .description = "Exact irradiance from polygons that others partly hide.",
        .version = std::string(VersionText()),
        .commands = {EvalCommand(), BenchCommand(), CompareCommand(),
-                    InspectCommand(), RenderCommand(), StabilityCommand()}},
+                    GradientCommand(), InspectCommand(), RenderCommand(),
+                    StabilityCommand()}},
       argc, argv);
 }
 

@@ -12,6 +12,12 @@
 
 namespace truelux {
 
+/// x * 2^exponent, without error and without a limit on the exponent.
+[[nodiscard]] Exact TimesPowerOfTwo(const Exact& x, long exponent);
+
+/// e with 2^(e-1) <= |x| < 2^e; x is not zero.
+[[nodiscard]] long BinaryExponentOf(const Exact& x);
+
 /// x itself.
 [[nodiscard]] mpq_class RationalOf(const Exact& x);
 

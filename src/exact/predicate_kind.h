@@ -9,6 +9,8 @@ namespace truelux {
 /// How predicates are decided.
 enum class PredicateKind {
   kExact,       ///< in stages, always right
+  kDisplaced,   ///< as kExact, and what is zero is decided at a displaced
+                ///< receiver (exact/displacement.h)
   kUnfiltered,  ///< the sign of the double value, right or wrong: only to
                 ///< measure what exactness costs
 };

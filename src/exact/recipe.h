@@ -247,12 +247,17 @@ inline std::array<VertexId, 3> CornersOf(const Triangle& triangle) {
   return {VertexId(a), VertexId(b), VertexId(c)};
 }
 
+struct Displacement;
+
 /// The input that recipes are evaluated on. Does not own the spans.
 struct ReceiverView {
   IdSpan<VertexId, const Point3> vertices;
   IdSpan<TriangleId, const Triangle> triangles;
   Point3 position;  ///< r
   Vector3 normal;   ///< n
+  /// Taken into account by exact numbers only, to which it is not too small;
+  /// null for none.
+  const Displacement* displacement = nullptr;
 
   /// The place of corner k of a triangle.
   [[nodiscard]] const Point3& Corner(TriangleId triangle, std::size_t k) const {

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "base/id_vector.h"
+#include "exact/displacement.h"
 #include "exact/number.h"
 #include "exact/recipe.h"
 #include "exact/sign.h"
@@ -62,7 +63,29 @@ class RecipeEvaluator {
 
   /// Vertex v relative to r.
   [[nodiscard]] Vec3<NT> FromReceiver(VertexId v) const {
-    return Between(view_.position, view_.vertices[v]);
+    Vec3<NT> result = Between(view_.position, view_.vertices[v]);
+    if constexpr (std::is_same_v<NT, Exact>) {
+      if (view_.displacement != nullptr) {
+        result = result - view_.displacement->receiver;
+        if (v == view_.displacement->vertex)
+          result = result + view_.displacement->of_vertex;
+      }
+    }
+    return result;
+  }
+
+  /// Vertex b relative to vertex a.
+  [[nodiscard]] Vec3<NT> FromVertex(VertexId a, VertexId b) const {
+    Vec3<NT> result = Between(view_.vertices[a], view_.vertices[b]);
+    if constexpr (std::is_same_v<NT, Exact>) {
+      if (view_.displacement != nullptr) {
+        if (b == view_.displacement->vertex)
+          result = result + view_.displacement->of_vertex;
+        if (a == view_.displacement->vertex)
+          result = result - view_.displacement->of_vertex;
+      }
+    }
+    return result;
   }
 
   [[nodiscard]] Vec3<NT> ReceiverNormal() const {
@@ -71,20 +94,21 @@ class RecipeEvaluator {
 
   /// (t1 - t0) x (t2 - t0): points to the front of triangle t; degree 2.
   [[nodiscard]] Vec3<NT> TriangleNormal(TriangleId t) const {
-    return Cross(Between(view_.Corner(t, 0), view_.Corner(t, 1)),
-                 Between(view_.Corner(t, 0), view_.Corner(t, 2)));
+    const auto [a, b, c] = CornersOf(view_.triangles[t]);
+    return Cross(FromVertex(a, b), FromVertex(a, c));
   }
 
   /// h_t = N_t . (t0 - r): negative if r is in front of triangle t; degree 3.
   [[nodiscard]] NT Height(TriangleId t) const {
-    return Dot(TriangleNormal(t), Between(view_.position, view_.Corner(t, 0)));
+    return Dot(TriangleNormal(t),
+               FromReceiver(CornersOf(view_.triangles[t])[0]));
   }
 
   /// N_t . (v - t0): positive if vertex v is in front of triangle t; degree 3,
   /// independent of r.
   [[nodiscard]] NT AboveTriangle(TriangleId t, VertexId v) const {
     return Dot(TriangleNormal(t),
-               Between(view_.Corner(t, 0), view_.vertices[v]));
+               FromVertex(CornersOf(view_.triangles[t])[0], v));
   }
 
   /// n . (v - r): positive if vertex v is above the receiver plane; degree 2.
@@ -129,8 +153,7 @@ class RecipeEvaluator {
       case PlaneRecipe::Kind::kEdge:
         // b - a, not b - r: the edge itself is short where the source is
         // small, and its difference keeps all bits.
-        return Cross(FromReceiver(p.from()),
-                     Between(view_.vertices[p.from()], view_.vertices[p.to()]));
+        return Cross(FromReceiver(p.from()), FromVertex(p.from(), p.to()));
       case PlaneRecipe::Kind::kHorizon:
         return ReceiverNormal();
       case PlaneRecipe::Kind::kCut:

@@ -14,6 +14,11 @@ struct Vec3 {
 };
 
 template <class NT>
+Vec3<NT> operator+(const Vec3<NT>& a, const Vec3<NT>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+template <class NT>
 Vec3<NT> operator-(const Vec3<NT>& a, const Vec3<NT>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }

@@ -145,7 +145,7 @@ const Vec3<Exact>& BasicViewGeometry<kKind>::DirectionExact(
 template <PredicateKind kKind>
 std::optional<Sign> BasicViewGeometry<kKind>::ReceiverSideInterval(
     TriangleId triangle) const {
-  return TrySign(interval_.Height(triangle));
+  return SignFrom(interval_.Height(triangle));
 }
 
 template <PredicateKind kKind>
@@ -175,7 +175,7 @@ Sign BasicViewGeometry<kKind>::ReceiverSide(TriangleId triangle) {
 template <PredicateKind kKind>
 std::optional<Sign> BasicViewGeometry<kKind>::VertexSideInterval(
     TriangleId triangle, VertexId vertex) const {
-  return TrySign(interval_.AboveTriangle(triangle, vertex));
+  return SignFrom(interval_.AboveTriangle(triangle, vertex));
 }
 
 template <PredicateKind kKind>
@@ -214,7 +214,7 @@ std::optional<Sign> BasicViewGeometry<kKind>::PlaneSideInterval(
     ViewPlaneId plane, ViewDirectionId direction) {
   // By value: the second may move the first.
   const Vec3<Interval> normal = SlowPlane(plane).interval;
-  return TrySign(Dot(normal, SlowDirection(direction).interval));
+  return SignFrom(Dot(normal, SlowDirection(direction).interval));
 }
 
 template <PredicateKind kKind>
@@ -306,7 +306,7 @@ std::optional<Sign> BasicViewGeometry<kKind>::EdgeOrderInterval(
   // By value: making one may move the others.
   const Vec3<Interval> n = SlowPlane(edge_plane).interval;
   const Vec3<Interval> na = SlowPlane(a.plane).interval;
-  const auto sign = TrySign(Determinant(n, na, SlowPlane(b.plane).interval));
+  const auto sign = SignFrom(Determinant(n, na, SlowPlane(b.plane).interval));
   if (!sign) return std::nullopt;
   return -(a.from * b.from * *sign);
 }
@@ -341,5 +341,6 @@ Sign BasicViewGeometry<kKind>::EdgeOrderSlowly(ViewPlaneId edge_plane,
 
 template class BasicViewGeometry<PredicateKind::kExact>;
 template class BasicViewGeometry<PredicateKind::kUnfiltered>;
+template class BasicViewGeometry<PredicateKind::kDisplaced>;
 
 }  // namespace truelux

@@ -42,6 +42,13 @@ class BasicViewGeometry {
   BasicViewGeometry(const ReceiverView& view,
                     IdSpan<TriangleId, const FilteredPlane> triangle_normals);
 
+  /// Of kDisplaced: where the next receivers are displaced to, and which vertex
+  /// is; it must outlive its use. Before SetReceiver.
+  void SetDisplacement(const Displacement* displacement) requires(
+      kKind == PredicateKind::kDisplaced) {
+    view_.displacement = displacement;
+  }
+
   /// Forgets all planes, directions and counts and starts with another
   /// receiver in the same scene. Allocates nothing in the steady state.
   void SetReceiver(const Point3& position, const Vector3& normal);
@@ -121,7 +128,7 @@ class BasicViewGeometry {
   /// with neither bit set is not known yet. Faster than one by one.
   void FilterSides(BundleId bundle, ViewDirectionId direction,
                    BundleSides& sides) {
-    bundles_[bundle].template Filter<kKind == PredicateKind::kExact>(
+    bundles_[bundle].template Filter<kKind != PredicateKind::kUnfiltered>(
         directions_[direction].filtered, sides);
     statistics_.plane_side.filter += static_cast<std::uint64_t>(
         std::popcount(sides.positive | sides.negative));
@@ -211,6 +218,15 @@ class BasicViewGeometry {
     SlowId slow;  ///< none until it is needed
   };
 
+  /// What an interval says; of kDisplaced nothing where it says zero.
+  static std::optional<Sign> SignFrom(const Interval& x) {
+    const std::optional<Sign> sign = TrySign(x);
+    if constexpr (kKind == PredicateKind::kDisplaced) {
+      if (sign == Sign::kZero) return std::nullopt;
+    }
+    return sign;
+  }
+
   /// N . d with its bound; unfiltered without one.
   static BoundedValue Filter(const FilteredPlane& plane,
                              const FilteredDirection& direction) {
@@ -247,9 +263,11 @@ class BasicViewGeometry {
 
 using ViewGeometry = BasicViewGeometry<PredicateKind::kExact>;
 using UnfilteredViewGeometry = BasicViewGeometry<PredicateKind::kUnfiltered>;
+using DisplacedViewGeometry = BasicViewGeometry<PredicateKind::kDisplaced>;
 
 extern template class BasicViewGeometry<PredicateKind::kExact>;
 extern template class BasicViewGeometry<PredicateKind::kUnfiltered>;
+extern template class BasicViewGeometry<PredicateKind::kDisplaced>;
 
 }  // namespace truelux
 

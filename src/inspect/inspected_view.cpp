@@ -90,6 +90,8 @@ InspectedView Inspect(const Oracle& oracle, const std::string& scene_name,
                       const std::function<void(const std::string&)>& announce) {
   InspectedView inspected;
   inspected.irradiance = oracle.Evaluate(receiver).value;
+  inspected.derivatives =
+      oracle.Derivatives(receiver, {.sphere = false, .jacobian = false});
   inspected.scene = oracle.scene();
   inspected.scene_name = scene_name;
   inspected.receiver = receiver;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "truelux/derivatives.h"
 #include "truelux/irradiance.h"
 
 #include "inspect/projection.h"
@@ -29,7 +30,8 @@ struct InspectedView {
   std::string scene_name;  ///< as the user named it
   Receiver receiver;
   Emission emission = Emission::kExitance;
-  Rgb irradiance{};  ///< E, certified [W/m^2]
+  Rgb irradiance{};         ///< E, certified [W/m^2]
+  Derivatives derivatives;  ///< without Jacobians and the whole sphere
   ViewFrame frame;
   WholeView view;
   std::vector<SeenSource> sources;  ///< largest form factor first

@@ -137,6 +137,35 @@ void AppendArray(std::string& text, const char* key,
   text += end;
 }
 
+/// Per channel.
+Json ChannelsOf(const Derivatives& derivatives,
+                Vector3 ChannelDerivatives::*vector) {
+  // There are none where E is discontinuous.
+  if (derivatives.smoothness == Smoothness::kDiscontinuous) return nullptr;
+  Json channels = Json::array();
+  for (const ChannelDerivatives& d : derivatives.channels)
+    channels.push_back(JsonOf(d.*vector));
+  return channels;
+}
+
+Json JsonOf(const Derivatives& derivatives) {
+  Json json;
+  json["status"] = std::string(Name(derivatives.smoothness));
+  json["vector_irradiance"] =
+      ChannelsOf(derivatives, &ChannelDerivatives::vector);
+  json["gradient"] = ChannelsOf(derivatives, &ChannelDerivatives::gradient);
+  json["by_normal"] = ChannelsOf(derivatives, &ChannelDerivatives::normal);
+  json["kinks"] = Json::array();
+  for (const Kink& kink : derivatives.kinks) {
+    Json own;
+    own["normal"] = JsonOf(kink.normal);
+    own["b"] = kink.size;
+    own["faces"] = kink.faces;
+    json["kinks"].push_back(std::move(own));
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string ViewJson(const InspectedView& inspected) {
@@ -155,6 +184,7 @@ std::string ViewJson(const InspectedView& inspected) {
   text +=
       "  \"emission\": " + dump(std::string(Name(inspected.emission))) + ",\n";
   text += "  \"irradiance\": " + dump(Json(inspected.irradiance)) + ",\n";
+  text += "  \"derivatives\": " + dump(JsonOf(inspected.derivatives)) + ",\n";
   std::vector<Json> elements;
   for (const SeenSource& source : inspected.sources)
     elements.push_back(JsonOf(inspected, source));

@@ -10,10 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include "truelux/derivatives.h"
 #include "truelux/irradiance.h"
 
 #include "base/receiver_block.h"
 #include "base/stop.h"
+#include "radiometry/derivatives/receiver_derivatives.h"
+#include "radiometry/derivatives/vertex_derivatives.h"
 #include "radiometry/evaluate.h"
 #include "radiometry/evaluate_weighted.h"
 #include "radiometry/form_factors.h"
@@ -218,6 +221,53 @@ FormFactorTable Oracle::FormFactors(const Receiver& receiver) const {
   BuildContour(query, options_.engine, *workspace);
   return FormFactorsOf(query, workspace->contour, evaluation,
                        workspace->evaluation);
+}
+
+truelux::Derivatives Oracle::Derivatives(const Receiver& receiver) const {
+  return Derivatives(receiver, {});
+}
+
+truelux::Derivatives Oracle::Derivatives(
+    const Receiver& receiver, const DerivativeOptions& options) const {
+  RequireReceiver(receiver, scene());
+  truelux::Derivatives derivatives;
+  Derivatives(std::span(&receiver, 1), options,
+              [&derivatives](std::size_t, const truelux::Derivatives& found) {
+                derivatives = found;
+              });
+  return derivatives;
+}
+
+void Oracle::Derivatives(
+    std::span<const Receiver> receivers, const DerivativeOptions& options,
+    const std::function<void(std::size_t, const truelux::Derivatives&)>& take)
+    const {
+  RequireReceivers(receivers, scene());
+  const auto workspace = prepared_.data_->Borrow();
+  const EvaluationQuery evaluation{options_.method, options_.emission,
+                                   Formula::kAuto, 0x1p20};
+  ContourQuery query{scene(), {}, {}, false, options_.stop};
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    StopIfAsked(options_.stop);
+    query.receiver = receivers[i];
+    truelux::Derivatives found = DerivativesAt(prepared_.data_->engine, query,
+                                               evaluation, options, *workspace);
+    if (options_.method == Method::kDouble)
+      found.irradiance = Evaluate(receivers[i]);
+    take(i, found);
+  }
+}
+
+truelux::VertexDerivatives Oracle::VertexDerivatives(
+    const Receiver& receiver) const {
+  RequireReceiver(receiver, scene());
+  const ContourQuery query{scene(), receiver, {}, false, options_.stop};
+  const auto workspace = prepared_.data_->Borrow();
+  return VertexDerivativesAt(
+      prepared_.data_->engine,
+      [this]() -> const LooseEngine& { return prepared_.data_->GetLoose(); },
+      query, {Method::kCertified, options_.emission, Formula::kAuto, 0x1p20},
+      *workspace);
 }
 
 VisibleContour Oracle::Contour(const Receiver& receiver) const {

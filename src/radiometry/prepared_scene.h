@@ -5,12 +5,15 @@
 #define TRUELUX_RADIOMETRY_PREPARED_SCENE_H_
 
 #include <memory>
+#include <mutex>
 #include <utility>
 
 #include "truelux/prepared_scene.h"
 #include "truelux/scene.h"
 
 #include "base/pool.h"
+#include "radiometry/derivatives/coincident_lines.h"
+#include "radiometry/derivatives/loose_engine.h"
 #include "radiometry/evaluation_workspace.h"
 #include "visibility/contour.h"
 #include "visibility/edges/contour_engine.h"
@@ -23,8 +26,15 @@ namespace truelux {
 struct OracleWorkspace {
   explicit OracleWorkspace(const ContourEngine& engine) : builder(engine) {}
 
+  /// Made when derivatives are first asked for.
+  SeenLineFinder& Lines(const ContourEngine& engine) {
+    if (!lines) lines = std::make_unique<SeenLineFinder>(engine);
+    return *lines;
+  }
+
   ContourBuilder builder;
   Contour contour;
+  std::unique_ptr<SeenLineFinder> lines;
   EvaluationWorkspace evaluation;
 };
 
@@ -38,8 +48,17 @@ struct PreparedScene::Data {
         [this] { return std::make_unique<OracleWorkspace>(engine); });
   }
 
+  /// Made when it is first asked for. Any thread may ask.
+  const LooseEngine& GetLoose() {
+    std::call_once(loose_is_made,
+                   [this] { loose = std::make_unique<LooseEngine>(scene); });
+    return *loose;
+  }
+
   Scene scene;
   ContourEngine engine;
+  std::once_flag loose_is_made;
+  std::unique_ptr<const LooseEngine> loose;
   Pool<OracleWorkspace> workspaces;
 };
 

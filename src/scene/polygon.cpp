@@ -49,6 +49,19 @@ PolygonKind PolygonReader::Read(std::span<const Point3> ring) {
                                      : PolygonKind::kNotPlanar;
 }
 
+bool PolygonReader::ReadDisplaced(std::span<const Point3> ring,
+                                  const RingDisplacement& displacement) {
+  const RoundUpward rounding;
+  triangles_.clear();
+  if (ring.size() > kFew) return false;
+  const RingShape shape = projection_.Project(ring, displacement);
+  if (shape != RingShape::kPlanar && shape != RingShape::kNotPlanar)
+    return false;
+  if (FindContact(projection_)) return false;
+  Triangulate(projection_, triangles_);
+  return true;
+}
+
 /// A planar ring that has many points or meets itself.
 PolygonKind PolygonReader::ReadByMesh() {
   switch (MeshInside(projection_, triangles_)) {

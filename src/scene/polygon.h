@@ -37,6 +37,12 @@ class PolygonReader {
   /// Faces).
   PolygonKind Read(std::span<const Point3> ring);
 
+  /// The same for a polygon, n >= 4, of which some points are displaced. False,
+  /// and no triangles, if it is none any more, or has too many points to be
+  /// looked at one by one.
+  bool ReadDisplaced(std::span<const Point3> ring,
+                     const RingDisplacement& displacement);
+
   /// Triangles of the last ring: of kPlanar their union is the polygon; of
   /// kNotPlanar they stand for it.
   [[nodiscard]] std::span<const RingTriangle> triangles() const {

@@ -85,6 +85,14 @@ NT Turn(const NT& au, const NT& av, const NT& bu, const NT& bv, const NT& cu,
   return (bu - au) * (cv - av) - (bv - av) * (cu - au);
 }
 
+/// NewellNormal of exact points.
+Vec3<Exact> NewellNormalOf(const std::vector<Vec3<Exact>>& ring) {
+  Vec3<Exact> normal{Exact(0), Exact(0), Exact(0)};
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+    normal = normal + Cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
+  return normal;
+}
+
 constexpr std::size_t Index(int i) {
   return static_cast<std::size_t>(i);
 }
@@ -96,7 +104,47 @@ bool AreOnOneLine(const Point3& a, const Point3& b, const Point3& c) {
   return !NormalOfCorner(ring);
 }
 
+RingShape ProjectedRing::Project(std::span<const Point3> points,
+                                 const RingDisplacement& displacement) {
+  const RingShape shape = Project(points);
+  if (points.size() == 3 ||
+      (shape != RingShape::kPlanar && shape != RingShape::kNotPlanar)) {
+    return shape;
+  }
+  displacement_ = &displacement;
+  u_.clear();
+  v_.clear();
+  const std::vector<Vec3<Exact>> ring = ExactPoints();
+  const Vec3<Exact> normal = NewellNormalOf(ring);
+  const bool is_planar = std::ranges::all_of(ring, [&](const Vec3<Exact>& p) {
+    return SignOf(Dot(normal, p - ring[0])) == Sign::kZero;
+  });
+  shape_ = is_planar ? RingShape::kPlanar : RingShape::kNotPlanar;
+  ComputeImage(NewellNormal<Interval>(points));
+  return shape_;
+}
+
+/// The points, displaced if they are.
+std::vector<Vec3<Exact>> ProjectedRing::ExactPoints() const {
+  std::vector<Vec3<Exact>> ring;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Point3& p = points_[i];
+    ring.push_back({Exact(p.x), Exact(p.y), Exact(p.z)});
+    if (displacement_ != nullptr && displacement_->is_displaced[i])
+      ring.back() = ring.back() + displacement_->step;
+  }
+  return ring;
+}
+
+/// What an interval says; nothing if it says zero, but points are displaced.
+std::optional<Sign> ProjectedRing::Known(const Interval& x) const {
+  const std::optional<Sign> sign = TrySign(x);
+  if (displacement_ != nullptr && sign == Sign::kZero) return std::nullopt;
+  return sign;
+}
+
 RingShape ProjectedRing::Project(std::span<const Point3> points) {
+  displacement_ = nullptr;
   points_ = points;
   u_.clear();
   v_.clear();
@@ -145,16 +193,15 @@ void ProjectedRing::ComputeImage(const Vec3<Interval>& normal) {
 }
 
 void ProjectedRing::ComputeExactImage() const {
+  const std::vector<Vec3<Exact>> ring = ExactPoints();
   if (shape_ != RingShape::kNotPlanar) {
-    for (const Point3& p : points_) {
-      exact_.push_back(
-          {Exact(Coordinate(p, UAxis())), Exact(Coordinate(p, VAxis()))});
-    }
+    for (const Vec3<Exact>& p : ring)
+      exact_.push_back({Component(p, UAxis()), Component(p, VAxis())});
     return;
   }
-  const auto normal = NewellNormal<Exact>(points_);
-  for (const Point3& p : points_) {
-    const auto d = Displacement<Exact>(points_[0], p);
+  const Vec3<Exact> normal = NewellNormalOf(ring);
+  for (const Vec3<Exact>& p : ring) {
+    const Vec3<Exact> d = p - ring[0];
     exact_.push_back({ImageCoordinate(normal, d, UAxis(), axis_),
                       ImageCoordinate(normal, d, VAxis(), axis_)});
   }
@@ -172,8 +219,8 @@ std::array<double, 2> ProjectedRing::PlanarImage(int i) const {
 
 Sign ProjectedRing::Orientation(int i, int j, int k) const {
   const std::optional<Sign> sign =
-      TrySign(Turn(u_[Index(i)], v_[Index(i)], u_[Index(j)], v_[Index(j)],
-                   u_[Index(k)], v_[Index(k)]));
+      Known(Turn(u_[Index(i)], v_[Index(i)], u_[Index(j)], v_[Index(j)],
+                 u_[Index(k)], v_[Index(k)]));
   if (sign) return *sign;
   const ExactPoint& a = ExactImage(i);
   const ExactPoint& b = ExactImage(j);
@@ -182,23 +229,23 @@ Sign ProjectedRing::Orientation(int i, int j, int k) const {
 }
 
 Sign ProjectedRing::Order(int i, int j) const {
-  std::optional<Sign> sign = TrySign(u_[Index(j)] - u_[Index(i)]);
+  std::optional<Sign> sign = Known(u_[Index(j)] - u_[Index(i)]);
   if (!sign) sign = SignOf(ExactImage(j).u - ExactImage(i).u);
   if (*sign != Sign::kZero) return *sign;
-  sign = TrySign(v_[Index(j)] - v_[Index(i)]);
+  sign = Known(v_[Index(j)] - v_[Index(i)]);
   if (!sign) sign = SignOf(ExactImage(j).v - ExactImage(i).v);
   return *sign;
 }
 
 Sign ProjectedRing::Rise(int i, int j) const {
-  const std::optional<Sign> sign = TrySign(v_[Index(j)] - v_[Index(i)]);
+  const std::optional<Sign> sign = Known(v_[Index(j)] - v_[Index(i)]);
   return sign ? *sign : SignOf(ExactImage(j).v - ExactImage(i).v);
 }
 
 Sign ProjectedRing::MiddleAbove(int i, int j, int k) const {
   const Interval two(2);
   const std::optional<Sign> sign =
-      TrySign(v_[Index(i)] + v_[Index(j)] - two * v_[Index(k)]);
+      Known(v_[Index(i)] + v_[Index(j)] - two * v_[Index(k)]);
   return sign ? *sign
               : SignOf(ExactImage(i).v + ExactImage(j).v -
                        Exact(2) * ExactImage(k).v);

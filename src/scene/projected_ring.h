@@ -7,6 +7,7 @@
 #define TRUELUX_SCENE_PROJECTED_RING_H_
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,13 @@ enum class RingShape {
 /// Whether three points lie on one line (two that are equal included).
 bool AreOnOneLine(const Point3& a, const Point3& b, const Point3& c);
 
+/// Points of a ring that are displaced by an infinitesimal step
+/// (exact/displacement.h).
+struct RingDisplacement {
+  std::vector<bool> is_displaced;  ///< per point
+  Vec3<Exact> step;
+};
+
 /// A ring projected along its Newell normal, the vector area (doubled) that
 /// does not depend on a choice of triangles: sum of (p_i - p_0) x
 /// (p_(i+1) - p_0). Seen so, its enclosed area is positive.
@@ -48,6 +56,11 @@ class ProjectedRing {
   /// is kPlanar, kNotPlanar or kFlat; not needed for three points, and not
   /// ready. Of kFlat, the image is along either normal of the plane.
   RingShape Project(std::span<const Point3> points);
+
+  /// The same for a ring of which some points are displaced; `displacement`
+  /// must outlive the use, too. Not for PlanarImage.
+  RingShape Project(std::span<const Point3> points,
+                    const RingDisplacement& displacement);
 
   [[nodiscard]] int size() const { return static_cast<int>(u_.size()); }
 
@@ -86,11 +99,14 @@ class ProjectedRing {
   [[nodiscard]] int VAxis() const { return (axis_ + (mirrored_ ? 1 : 2)) % 3; }
 
   RingShape ProjectFlat();
+  [[nodiscard]] std::vector<Vec3<Exact>> ExactPoints() const;
+  [[nodiscard]] std::optional<Sign> Known(const Interval& x) const;
   void ComputeImage(const Vec3<Interval>& normal);
   void ComputeExactImage() const;
   [[nodiscard]] const ExactPoint& ExactImage(int i) const;
 
   std::span<const Point3> points_;
+  const RingDisplacement* displacement_ = nullptr;
   RingShape shape_ = RingShape::kNoArea;
   int axis_ = 0;           ///< the component n_3
   bool mirrored_ = false;  ///< n_3 < 0

@@ -50,6 +50,10 @@ std::span<const int> Scene::corners() const {
   return data_->corners;
 }
 
+std::span<const int> Scene::corner_numbers() const {
+  return data_->corner_numbers;
+}
+
 std::span<const std::string> Scene::group_names() const {
   return data_->group_names;
 }

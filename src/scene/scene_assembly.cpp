@@ -60,12 +60,17 @@ void SceneAssembly::BeginFace(Face face) {
   arrays_.faces.push_back(face);
 }
 
-void SceneAssembly::AddFace(Face face, std::span<const Point3> ring) {
+void SceneAssembly::AddFace(Face face, std::span<const Point3> ring,
+                            std::span<const int> numbers) {
   BeginFace(face);
   if (!CheckNumbers(ring)) return;
   TakeRing(ring);
-  for (const RingCorner& corner : ring_)
+  for (const RingCorner& corner : ring_) {
     arrays_.corners.push_back(corner.vertex);
+    if (numbers.empty()) continue;
+    arrays_.corner_numbers.push_back(
+        numbers[static_cast<std::size_t>(corner.number - 1)]);
+  }
   arrays_.faces.back().corner_count = static_cast<int>(ring_.size());
   if (ring_.size() < 3) {
     CountFace(without_area_);

@@ -34,8 +34,10 @@ class SceneAssembly {
   /// Adds a face with line and group set that is left out for a reason.
   void LeaveOut(Face face, std::string_view reason);
 
-  /// Adds a face with emission, line and group set. ring: n x 3.
-  void AddFace(Face face, std::span<const Point3> ring);
+  /// Adds a face with emission, line and group set. ring: n x 3. numbers: of
+  /// its vertices in the input; as many as the ring has, or none.
+  void AddFace(Face face, std::span<const Point3> ring,
+               std::span<const int> numbers = {});
 
   [[nodiscard]] int face_count() const {
     return static_cast<int>(arrays_.faces.size());

@@ -31,6 +31,7 @@ struct SceneBuilder::Impl {
   std::vector<std::string> group_names{""};
   std::unordered_map<std::string, int> group_index{{"", 0}};
   int group = 0;
+  std::vector<int> vertex_numbers;  ///< of the next face
 };
 
 SceneBuilder::SceneBuilder(const std::string& file_name)
@@ -42,8 +43,14 @@ SceneBuilder& SceneBuilder::operator=(SceneBuilder&&) noexcept = default;
 
 int SceneBuilder::AddFace(std::vector<Point3> ring, const Rgb& emission,
                           int line) {
-  impl_->assembly.AddFace(impl_->MakeFace(emission, line), ring);
+  std::vector<int> numbers = std::exchange(impl_->vertex_numbers, {});
+  if (numbers.size() != ring.size()) numbers.clear();
+  impl_->assembly.AddFace(impl_->MakeFace(emission, line), ring, numbers);
   return impl_->assembly.face_count();
+}
+
+void SceneBuilder::SetVertexNumbers(std::vector<int> numbers) {
+  impl_->vertex_numbers = std::move(numbers);
 }
 
 int SceneBuilder::LeaveOutFace(std::string_view reason, int line) {
@@ -81,6 +88,12 @@ Result<Scene> SceneBuilder::Build() {
   if (has_error) return result;
   const auto data = std::make_shared<Scene::Data>();
   static_cast<SceneArrays&>(*data) = built->assembly.TakeArrays();
+  // Of some faces only they would be of no use.
+  if (data->corner_numbers.size() != data->corners.size()) {
+    data->corner_numbers = data->corners;
+    for (int& number : data->corner_numbers)
+      ++number;
+  }
   data->group_names = std::move(built->group_names);
   result.value.emplace().data_ = data;
   return result;

@@ -23,6 +23,7 @@ struct SceneArrays {
   std::vector<Facet> facets;
   std::vector<Face> faces;
   std::vector<int> corners;
+  std::vector<int> corner_numbers;  ///< parallel to corners
   std::vector<std::string> group_names{""};
   std::vector<LeftOutFaces> left_out;
 };
@@ -45,6 +46,8 @@ struct Scene::Data : SceneArrays {
   };
 
   mutable Lazy lazy;
+  /// Whether vertices may be displaced: nothing is then known to be coplanar.
+  bool is_loose = false;
 };
 
 }  // namespace truelux

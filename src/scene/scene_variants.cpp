@@ -54,6 +54,7 @@ Scene SceneVariants::Changed(
   const auto data = std::make_shared<Scene::Data>();
   data->vertices.assign(scene.vertices().begin(), scene.vertices().end());
   data->corners.assign(scene.corners().begin(), scene.corners().end());
+  data->corner_numbers = scene.data_->corner_numbers;
   data->group_names.assign(scene.group_names().begin(),
                            scene.group_names().end());
   data->left_out.assign(scene.left_out().begin(), scene.left_out().end());
@@ -78,8 +79,11 @@ Scene SceneVariants::Changed(
     }
     if (changed.reversed && face.corner_count > 0) {
       // The ring still begins at its first corner.
-      const auto first = data->corners.begin() + face.first_corner;
-      std::reverse(first + 1, first + face.corner_count);
+      for (std::vector<int>* corners :
+           {&data->corners, &data->corner_numbers}) {
+        const auto first = corners->begin() + face.first_corner;
+        std::reverse(first + 1, first + face.corner_count);
+      }
     }
     data->faces.push_back(copy);
   }

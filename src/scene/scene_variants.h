@@ -4,8 +4,10 @@
 #ifndef TRUELUX_SCENE_SCENE_VARIANTS_H_
 #define TRUELUX_SCENE_SCENE_VARIANTS_H_
 
+#include <array>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <span>
 
 #include "truelux/geometry.h"
@@ -31,6 +33,18 @@ class SceneVariants {
   [[nodiscard]] static Scene Changed(
       const Scene& scene,
       const std::function<void(std::size_t, FaceChange&)>& change);
+
+  /// As scene/loose_scene.h says.
+  [[nodiscard]] static Scene Loose(const Scene& scene);
+
+  /// A loose scene with other triangles of some faces. triangles: per face,
+  /// by its index, corners of its ring; a face that is not there keeps its own.
+  [[nodiscard]] static Scene WithTriangles(
+      const Scene& loose,
+      const std::map<std::size_t, std::vector<std::array<int, 3>>>& triangles);
+
+  /// Whether it was made by Loose.
+  [[nodiscard]] static bool IsLoose(const Scene& scene);
 };
 
 /// Every face that emits in some channel has M = 1 in all channels.

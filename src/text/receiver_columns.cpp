@@ -86,6 +86,11 @@ void ReceiverColumns::Find(const CsvReader& csv, const CsvRecord& header,
     columns_[i] = column.value_or(0);
   }
   on_face_column_ = names.Find(kOnFaceColumn, defects);
+  for (const std::string& name : further_) {
+    const auto column = names.Find(name, defects);
+    if (!column) missing.push_back(name);
+    further_columns_.push_back(column.value_or(0));
+  }
   if (missing.empty()) return;
   defects.push_back(csv.Error(
       header.line(0),
@@ -127,6 +132,16 @@ std::optional<ReceiverFields> ReceiverColumns::Parse(
           csv.Error(row.line(*on_face_column_),
                     fmt::format("{}: {}", kOnFaceColumn, message)));
     }
+  }
+  for (std::size_t i = 0; i < further_columns_.size(); ++i) {
+    const std::size_t column = further_columns_[i];
+    const std::string text = row.Value(column);
+    const std::optional<double> number = ParseNumber(TrimBlanks(text));
+    if (!number) {
+      defects.push_back(csv.Error(
+          row.line(column), MessageOf(further_[i], TrimBlanks(text), text)));
+    }
+    fields.numbers.push_back(number.value_or(0));
   }
   if (defects.size() != defects_before) return std::nullopt;
   fields.face = *face;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "truelux/diagnostics.h"
@@ -53,8 +54,9 @@ class ColumnNames {
 
 /// What the columns of a row say.
 struct ReceiverFields {
-  Receiver receiver;  ///< without a face that has to be searched for
-  FaceChoice face;    ///< for SetFace
+  Receiver receiver;            ///< without a face that has to be searched for
+  FaceChoice face;              ///< for SetFace
+  std::vector<double> numbers;  ///< of the further columns
 };
 
 /// Where a table has its receivers: the columns x, y, z, nx, ny, nz and, if
@@ -63,6 +65,11 @@ class ReceiverColumns {
  public:
   /// faces: must outlive the object.
   explicit ReceiverColumns(FaceWords& faces) : faces_(faces) {}
+
+  /// Columns of numbers that the table must have, too. Before the header.
+  void AskFor(std::vector<std::string> further) {
+    further_ = std::move(further);
+  }
 
   /// Reads the header's record. Adds a defect for every column that is missing
   /// or stands twice.
@@ -90,6 +97,8 @@ class ReceiverColumns {
   std::size_t column_count_ = 0;
   std::array<std::size_t, kReceiverColumns.size()> columns_{};
   std::optional<std::size_t> on_face_column_;
+  std::vector<std::string> further_;
+  std::vector<std::size_t> further_columns_;
 };
 
 /// Whether a record is a row of a table without header: six numbers.

@@ -58,6 +58,7 @@ ReceiverReader::Status ReceiverReader::Next(ReceiverRow& row,
   row.text = record_.text();
   row.receiver = fields->receiver;
   row.face = fields->face;
+  row.numbers = fields->numbers;
   return Status::kRow;
 }
 

@@ -5,6 +5,7 @@
 #define TRUELUX_TEXT_RECEIVERS_H_
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "truelux/diagnostics.h"
@@ -18,9 +19,10 @@ namespace truelux {
 
 /// One row of a receivers table.
 struct ReceiverRow {
-  std::string text;   ///< the input's bytes without the line end
-  Receiver receiver;  ///< without a face that has to be searched for
-  FaceChoice face;    ///< for SetFace
+  std::string text;             ///< the input's bytes without the line end
+  Receiver receiver;            ///< without a face that has to be searched for
+  FaceChoice face;              ///< for SetFace
+  std::vector<double> numbers;  ///< of the columns that were asked for
 };
 
 /// Reads a receivers table: a header with at least x, y, z, nx, ny, nz in any
@@ -33,6 +35,12 @@ class ReceiverReader {
   /// source, faces: must outlive the reader.
   ReceiverReader(ByteSource& source, const std::string& file_name,
                  FaceWords& faces);
+
+  /// Columns of numbers that the table must have, besides those of receivers.
+  /// Before the header; a table without one has none.
+  void AskFor(std::vector<std::string> columns) {
+    columns_.AskFor(std::move(columns));
+  }
 
   /// Reads the header; must be called once, first. False, and entries in
   /// `defects`, if it cannot be used: a column is missing or stands twice, or

@@ -26,7 +26,7 @@ bool Coplanar(const ReceiverView& view, TriangleId s, TriangleId t) {
 
 ReceiverView ViewOf(const ContourQuery& query) {
   return {VerticesOf(query.scene), TrianglesOf(query.scene),
-          query.receiver.position, query.receiver.normal};
+          query.receiver.position, query.receiver.normal, query.displacement};
 }
 
 IgnoredFacetCache::IgnoredFacetCache(const Scene& scene) : scene_(scene) {}

@@ -74,6 +74,12 @@ struct ContourQuery {
   bool join_sources = false;
   /// Looked at before every source, if given: Stopped is thrown if it is set.
   const StopFlag* stop = nullptr;
+  /// Whether sources count wherever they are seen, also below the receiver
+  /// plane. Only the contour engine knows it.
+  bool whole_sphere = false;
+  /// Where r is instead; null: where it is. Only DisplacedContourBuilder takes
+  /// it into account.
+  const Displacement* displacement = nullptr;
 };
 
 /// The recipes' input for a query; it refers to the query's scene.

@@ -51,6 +51,9 @@ TEST(Inspect, WritesPictureAndNumbers) {
   EXPECT_NEAR(json["sources"][0]["solid_angle"], 2 * std::numbers::pi / 3,
               1e-14);
   EXPECT_EQ(json["irradiance"][0], form_factor);
+  EXPECT_EQ(json["derivatives"]["status"], "C1");
+  EXPECT_EQ(json["derivatives"]["vector_irradiance"].size(), 3U);
+  EXPECT_EQ(json["derivatives"]["gradient"][0].size(), 3U);
   ASSERT_EQ(json["regions"].size(), 2U);
   ASSERT_EQ(json["arcs"].size(), 5U);
   ASSERT_EQ(json["vertices"].size(), 4U);

@@ -278,7 +278,9 @@ TEST_F(Render, AnInterruptionLeavesNothing) {
        "--also", "arcs", "--engine", "arrangement", "--values", Path("v.csv")},
       around);
   EXPECT_EQ(outcome.exit_status, 130);
-  EXPECT_EQ(outcome.err, "interrupted\n");
+  EXPECT_EQ(outcome.err,
+            "note: nothing was kept; --resume keeps what is done\n"
+            "interrupted\n");
   EXPECT_EQ(folder_.Names(),
             (std::vector<std::string>{"room.mtl", "room.obj"}));
 }

@@ -9,6 +9,7 @@
 
 #include "exact/recipe_evaluator.h"
 #include "scene/scene_access.h"
+#include "scene/scene_variants.h"
 
 namespace truelux {
 namespace {
@@ -205,6 +206,7 @@ void ConvexPieces::FindPlanes(const Scene& scene) {
   first_in_plane_.reserve(scene.facets().size());
   for (const FacetId facet : facets)
     first_in_plane_.push_back(facet);
+  if (SceneVariants::IsLoose(scene)) return;
   const auto first_of = [this](FacetId facet) {
     while (first_in_plane_[facet] != facet) {
       FacetId& parent = first_in_plane_[facet];

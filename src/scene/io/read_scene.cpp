@@ -90,9 +90,13 @@ void AddFaces(const ObjContents& obj,
         obj.corners.begin() + static_cast<std::ptrdiff_t>(face.first_corner);
     std::vector<Point3> ring;
     ring.reserve(static_cast<std::size_t>(face.corner_count));
+    std::vector<int> numbers;
+    numbers.reserve(ring.capacity());
     for (auto corner = begin; corner != begin + face.corner_count; ++corner) {
       ring.push_back(obj.positions[static_cast<std::size_t>(*corner)]);
+      numbers.push_back(*corner + 1);
     }
+    builder.SetVertexNumbers(std::move(numbers));
     builder.AddFace(std::move(ring), material.emission, face.line);
   }
 }

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "exact/exact_conversion.h"
+
 namespace truelux {
 namespace {
 
@@ -135,17 +137,6 @@ std::array<ViewChart, 4> ViewChartsOf(const Vector3& normal) {
   const Vec3<Exact>& b = x_largest || y_largest ? cross_z : cross_y;
   return {ViewChart(n, a, b), ViewChart(n, a, -b), ViewChart(n, -a, b),
           ViewChart(n, -a, -b)};
-}
-
-Exact TimesPowerOfTwo(const Exact& x, long exponent) {
-  constexpr long kLargestStep = 1000;
-  Exact result = x;
-  while (exponent != 0) {
-    const long step = std::clamp(exponent, -kLargestStep, kLargestStep);
-    result = result * Exact(std::ldexp(1.0, static_cast<int>(step)));
-    exponent -= step;
-  }
-  return result;
 }
 
 }  // namespace truelux

@@ -87,9 +87,6 @@ class ViewChart {
 /// The four charts of a receiver's hemisphere. normal: not zero.
 std::array<ViewChart, 4> ViewChartsOf(const Vector3& normal);
 
-/// x * 2^exponent, without error and without a limit on the exponent.
-Exact TimesPowerOfTwo(const Exact& x, long exponent);
-
 }  // namespace truelux
 
 #endif  // TRUELUX_VISIBILITY_ARRANGEMENT_ARRANGEMENT_CHART_H_

@@ -24,6 +24,7 @@
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 
+#include "exact/exact_conversion.h"
 #include "visibility/arrangement/arrangement_depth.h"
 #include "visibility/arrangement/image_segments.h"
 

@@ -153,5 +153,6 @@ void BlockerParts<Geometry>::DropHidden(PartBins& bins) {
 
 template class BlockerParts<ViewGeometry>;
 template class BlockerParts<UnfilteredViewGeometry>;
+template class BlockerParts<DisplacedViewGeometry>;
 
 }  // namespace truelux

@@ -82,6 +82,7 @@ class BlockerParts {
 
 extern template class BlockerParts<ViewGeometry>;
 extern template class BlockerParts<UnfilteredViewGeometry>;
+extern template class BlockerParts<DisplacedViewGeometry>;
 
 }  // namespace truelux
 

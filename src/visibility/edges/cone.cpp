@@ -15,7 +15,8 @@ ConeMaker<Geometry>::ConeMaker(Geometry& geometry, const ConvexPieces& pieces)
       edge_planes_(pieces.corners().size()) {}
 
 template <class Geometry>
-void ConeMaker<Geometry>::SetReceiver() {
+void ConeMaker<Geometry>::SetReceiver(bool whole_sphere) {
+  whole_sphere_ = whole_sphere;
   horizon_ = geometry_.AddPlane(PlaneRecipe::OfHorizon());
   horizon_side_.clear();
   receiver_sides_.Clear();
@@ -31,6 +32,7 @@ Sign ConeMaker<Geometry>::ReceiverSide(PieceId piece) {
 
 template <class Geometry>
 Sign ConeMaker<Geometry>::HorizonSide(VertexId vertex) {
+  if (whole_sphere_) return Sign::kPositive;
   const ViewDirectionId direction = geometry_.VertexDirection(vertex);
   if (direction >= horizon_side_.end_id()) {
     horizon_side_.resize(geometry_.direction_count());
@@ -167,5 +169,6 @@ Cone ConeMaker<Geometry>::InFrontOf(TriangleId source, PieceId piece,
 
 template class ConeMaker<ViewGeometry>;
 template class ConeMaker<UnfilteredViewGeometry>;
+template class ConeMaker<DisplacedViewGeometry>;
 
 }  // namespace truelux

@@ -72,7 +72,8 @@ class ConeMaker {
   ConeMaker(Geometry& geometry, const ConvexPieces& pieces);
 
   /// Starts with the receiver that the geometry has just been given.
-  void SetReceiver();
+  /// whole_sphere: all vertices count as above the receiver plane.
+  void SetReceiver(bool whole_sphere = false);
 
   /// Sign of h_t of the piece's plane, asked once per piece.
   Sign ReceiverSide(PieceId piece);
@@ -113,6 +114,7 @@ class ConeMaker {
   Geometry& geometry_;
   const ConvexPieces& pieces_;
   ViewPlaneId horizon_;
+  bool whole_sphere_ = false;
   StampedTable<Sign, PieceId> receiver_sides_;
   StampedTable<ViewPlaneId, EdgeId> edge_planes_;
   IdVector<ViewDirectionId, CachedSign> horizon_side_;
@@ -134,6 +136,7 @@ bool Contains(Geometry& geometry, const Cone& outer, const Cone& inner) {
 
 extern template class ConeMaker<ViewGeometry>;
 extern template class ConeMaker<UnfilteredViewGeometry>;
+extern template class ConeMaker<DisplacedViewGeometry>;
 
 }  // namespace truelux
 

@@ -74,27 +74,28 @@ class BasicContourBuilder<kKind>::Impl {
   void Build(const ContourQuery& query, Contour& contour) {
     StopIfAsked(query.stop);
     const RoundUpward rounding;
+    if constexpr (kKind == PredicateKind::kDisplaced)
+      geometry_.SetDisplacement(query.displacement);
     geometry_.SetReceiver(query.receiver.position, query.receiver.normal);
-    cones_.SetReceiver();
+    cones_.SetReceiver(query.whole_sphere);
     ignored_.SetOnFace(FaceNumber(query.receiver.on_face));
     arcs_of_all_.clear();
     ends_.clear();
     source_count_ = 0;
     blocker_count_ = 0;
-    const Receiver& receiver = query.receiver;
     if (!query.only_source.valid()) {
       for (const EmitterId e : engine_.emitters().ids()) {
         StopIfAsked(query.stop);
         const ContourEngine::Emitter& emitter = engine_.emitters()[e];
         if (!StartSource(emitter.facet)) continue;
-        AddPieces(emitter.shafts, receiver, CutOf(e));
+        AddPieces(emitter.shafts, query, CutOf(e));
         FinishSource(emitter.facet);
       }
     } else {
       const FaceId face = IndexOf(query.only_source);
       for (const FacetId f : FacetsOf(FacesOf(engine_.scene())[face])) {
         if (!StartSource(f)) continue;
-        AddPieces(engine_.ShaftsTo(f), receiver, nullptr);
+        AddPieces(engine_.ShaftsTo(f), query, nullptr);
         FinishSource(f);
       }
     }
@@ -137,9 +138,11 @@ class BasicContourBuilder<kKind>::Impl {
   }
 
   /// Adds the blockers that lie towards a source. cut: null for none.
-  void AddPieces(const ShaftSource& shafts, const Receiver& receiver,
+  void AddPieces(const ShaftSource& shafts, const ContourQuery& query,
                  const TreeCut* cut) {
-    const Shaft shaft(shafts, Box::Of(receiver.position), receiver.normal);
+    std::optional<Vector3> normal;
+    if (!query.whole_sphere) normal = query.receiver.normal;
+    const Shaft shaft(shafts, Box::Of(query.receiver.position), normal);
     const auto add = [this](int piece) { AddPiece(PieceId(piece)); };
     if (cut == nullptr) {
       engine_.tree().Visit(shaft, add);
@@ -238,5 +241,6 @@ void BasicContourBuilder<kKind>::Build(const ContourQuery& query,
 
 template class BasicContourBuilder<PredicateKind::kExact>;
 template class BasicContourBuilder<PredicateKind::kUnfiltered>;
+template class BasicContourBuilder<PredicateKind::kDisplaced>;
 
 }  // namespace truelux

@@ -94,9 +94,12 @@ class BasicContourBuilder {
 using ContourBuilder = BasicContourBuilder<PredicateKind::kExact>;
 using UnfilteredContourBuilder =
     BasicContourBuilder<PredicateKind::kUnfiltered>;
+/// Takes ContourQuery::displacement into account.
+using DisplacedContourBuilder = BasicContourBuilder<PredicateKind::kDisplaced>;
 
 extern template class BasicContourBuilder<PredicateKind::kExact>;
 extern template class BasicContourBuilder<PredicateKind::kUnfiltered>;
+extern template class BasicContourBuilder<PredicateKind::kDisplaced>;
 
 }  // namespace truelux
 

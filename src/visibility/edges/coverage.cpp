@@ -62,9 +62,13 @@ bool CoverOf(Geometry& geometry, const ViewEdge& edge, const Cone& cone,
 template bool CoverOf(ViewGeometry&, const ViewEdge&, const Cone&, Cover&);
 template bool CoverOf(UnfilteredViewGeometry&, const ViewEdge&, const Cone&,
                       Cover&);
+template bool CoverOf(DisplacedViewGeometry&, const ViewEdge&, const Cone&,
+                      Cover&);
 template bool CoverOf(ViewGeometry&, const ViewEdge&, const Cone&, BundleSides&,
                       BundleSides&, Cover&);
 template bool CoverOf(UnfilteredViewGeometry&, const ViewEdge&, const Cone&,
+                      BundleSides&, BundleSides&, Cover&);
+template bool CoverOf(DisplacedViewGeometry&, const ViewEdge&, const Cone&,
                       BundleSides&, BundleSides&, Cover&);
 
 }  // namespace truelux

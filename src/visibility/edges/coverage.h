@@ -79,9 +79,13 @@ extern template bool CoverOf(ViewGeometry&, const ViewEdge&, const Cone&,
                              Cover&);
 extern template bool CoverOf(UnfilteredViewGeometry&, const ViewEdge&,
                              const Cone&, Cover&);
+extern template bool CoverOf(DisplacedViewGeometry&, const ViewEdge&,
+                             const Cone&, Cover&);
 extern template bool CoverOf(ViewGeometry&, const ViewEdge&, const Cone&,
                              BundleSides&, BundleSides&, Cover&);
 extern template bool CoverOf(UnfilteredViewGeometry&, const ViewEdge&,
+                             const Cone&, BundleSides&, BundleSides&, Cover&);
+extern template bool CoverOf(DisplacedViewGeometry&, const ViewEdge&,
                              const Cone&, BundleSides&, BundleSides&, Cover&);
 
 }  // namespace truelux

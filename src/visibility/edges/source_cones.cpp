@@ -55,5 +55,6 @@ bool SourceCones<Geometry>::IsSeenBeforeSource(FacetId facet) {
 
 template class SourceCones<ViewGeometry>;
 template class SourceCones<UnfilteredViewGeometry>;
+template class SourceCones<DisplacedViewGeometry>;
 
 }  // namespace truelux

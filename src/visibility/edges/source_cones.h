@@ -79,6 +79,7 @@ class SourceCones {
 
 extern template class SourceCones<ViewGeometry>;
 extern template class SourceCones<UnfilteredViewGeometry>;
+extern template class SourceCones<DisplacedViewGeometry>;
 
 }  // namespace truelux
 

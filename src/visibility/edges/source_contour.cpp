@@ -247,5 +247,6 @@ void SourceContour<Geometry>::AppendArcs(std::vector<ViewArc>& arcs) {
 
 template class SourceContour<ViewGeometry>;
 template class SourceContour<UnfilteredViewGeometry>;
+template class SourceContour<DisplacedViewGeometry>;
 
 }  // namespace truelux

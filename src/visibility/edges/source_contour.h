@@ -88,6 +88,7 @@ class SourceContour {
 
 extern template class SourceContour<ViewGeometry>;
 extern template class SourceContour<UnfilteredViewGeometry>;
+extern template class SourceContour<DisplacedViewGeometry>;
 
 }  // namespace truelux
 

@@ -54,5 +54,6 @@ ImageBox SourcePlane<Geometry>::BoxOfEdge(ViewDirectionId from,
 
 template class SourcePlane<ViewGeometry>;
 template class SourcePlane<UnfilteredViewGeometry>;
+template class SourcePlane<DisplacedViewGeometry>;
 
 }  // namespace truelux

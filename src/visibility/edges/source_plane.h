@@ -77,6 +77,7 @@ class SourcePlane {
 
 extern template class SourcePlane<ViewGeometry>;
 extern template class SourcePlane<UnfilteredViewGeometry>;
+extern template class SourcePlane<DisplacedViewGeometry>;
 
 }  // namespace truelux
 

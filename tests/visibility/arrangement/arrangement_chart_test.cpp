@@ -194,16 +194,5 @@ TEST(ViewChart, DirectionsStayNearOneForAnyLengthOfTheNormal) {
   }
 }
 
-TEST(TimesPowerOfTwo, GoesBeyondBinary64AndBack) {
-  const Exact x(-0.3);
-  for (const long exponent : {0L, 1L, -64L, 1074L, 5000L, -123457L}) {
-    const Exact y = TimesPowerOfTwo(x, exponent);
-    EXPECT_EQ(TimesPowerOfTwo(y, -exponent), x);
-    EXPECT_EQ(TimesPowerOfTwo(y, 1), y + y);
-  }
-  EXPECT_EQ(TimesPowerOfTwo(x, 4), Exact(-4.8));
-  EXPECT_TRUE(TimesPowerOfTwo(Exact(0), 3000).is_zero());
-}
-
 }  // namespace
 }  // namespace truelux

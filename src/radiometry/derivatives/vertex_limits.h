@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// dE/dv on both sides of where a vertex is.
+
+#ifndef TRUELUX_RADIOMETRY_DERIVATIVES_VERTEX_LIMITS_H_
+#define TRUELUX_RADIOMETRY_DERIVATIVES_VERTEX_LIMITS_H_
+
+#include <array>
+#include <vector>
+
+#include "truelux/derivatives.h"
+
+#include "exact/arb_real.h"
+#include "radiometry/derivatives/loose_engine.h"
+#include "radiometry/derivatives/moving_contour.h"
+#include "radiometry/derivatives/vertex_terms.h"
+#include "visibility/contour.h"
+#include "visibility/edges/contour_engine.h"
+
+namespace truelux {
+
+/// Per channel dE/dv as the sum of terms. weights: per source.
+std::array<Vec3<ArbReal>, 3> VertexSums(const MovingContour& contour,
+                                        const std::vector<VertexTerm>& terms,
+                                        const std::vector<Rgb>& weights,
+                                        Emission emission, slong precision);
+
+/// Derivatives by vertices that may not have any, from contours with the vertex
+/// displaced.
+class VertexLimits {
+ public:
+  /// query: of the receiver, in the scene that `loose` was made from.
+  VertexLimits(const LooseEngine& loose, const ContourQuery& query,
+               Emission emission);
+
+  /// The slopes of the vertex with a number.
+  VertexDerivative At(int number);
+
+ private:
+  /// E and dE/dv along one axis, per channel.
+  struct OneSide {
+    std::array<ArbReal, 3> irradiance;
+    std::array<ArbReal, 3> slope;
+    std::array<ArbReal, 3> size;      ///< bounds on the sizes of the slopes
+    std::array<ArbReal, 3> exitance;  ///< of all sources that are seen
+  };
+
+  OneSide SideOf(int number, std::size_t axis, bool right);
+
+  const LooseEngine& loose_;
+  ContourQuery query_;
+  Emission emission_;
+  DisplacedContourBuilder builder_;
+  Contour contour_;
+  long exponent_;                      ///< of a step
+  slong precision_;                    ///< of sums beside it [bits]
+  std::array<ArbReal, 3> irradiance_;  ///< E where nothing is displaced
+};
+
+}  // namespace truelux
+
+#endif  // TRUELUX_RADIOMETRY_DERIVATIVES_VERTEX_LIMITS_H_

@@ -30,7 +30,9 @@ class Finder {
   void AddEdgeOn(const Piece& piece) {
     const FaceNumber face = NumberOf(FaceOf(query_.scene, piece.facet));
     const Vec3<Exact> normal = exact_.TriangleNormal(piece.triangle);
-    std::vector<FaceNumber>& faces = PlaneWith(normal).faces;
+    KinkPlane& plane = PlaneWith(normal);
+    plane.is_horizon_only = false;
+    std::vector<FaceNumber>& faces = plane.faces;
     if (std::ranges::find(faces, face) == faces.end()) faces.push_back(face);
     if (!Touches(piece)) return;
     const bool is_level = AreParallel(normal, exact_.ReceiverNormal());
@@ -56,6 +58,11 @@ class Finder {
 
   void AddPair(const LinePair& pair) {
     KinkPlane& plane = PlaneWith(pair.normal);
+    if (pair.first.kind() == PlaneRecipe::Kind::kHorizon ||
+        pair.second.kind() == PlaneRecipe::Kind::kHorizon) {
+      return;
+    }
+    plane.is_horizon_only = false;
     if (plane.edges[0][0].valid()) return;
     plane.edges = {EndsOf(pair.first), EndsOf(pair.second)};
   }
@@ -71,6 +78,7 @@ class Finder {
     }
     KinkPlane& plane = found_.planes.emplace_back();
     plane.normal = Canonical(normal);
+    plane.is_level = AreParallel(normal, exact_.ReceiverNormal());
     return plane;
   }
 

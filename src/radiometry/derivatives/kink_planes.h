@@ -18,6 +18,12 @@ namespace truelux {
 /// A plane through r that may be one.
 struct KinkPlane {
   Vec3<Exact> normal;  ///< its first component that is not 0 is positive
+  /// The receiver plane: E has no kink there, since all in it has weight 0, but
+  /// V over the hemisphere may have one.
+  bool is_level = false;
+  /// Only edges in the receiver plane make it one: no kink over the whole
+  /// sphere.
+  bool is_horizon_only = true;
   std::vector<FaceNumber> faces;  ///< faces that lie in it, ascending
   /// Two edges in it that overlap as seen from r, if that is why.
   std::array<std::array<VertexId, 2>, 2> edges;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radiometry/derivatives/receiver_derivatives.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <span>
 #include <utility>
 #include <vector>
@@ -97,10 +99,11 @@ Derivatives DerivativesAt(const ContourEngine& engine, ContourQuery query,
   Derivatives result;
   workspace.builder.StartBlock({});
   workspace.builder.Build(query, workspace.contour);
-  EvaluationQuery certified = evaluation;
-  certified.method = Method::kCertified;
-  result.irradiance = EvaluateContour(query, workspace.contour, certified,
-                                      workspace.evaluation);
+  // In double E is what Evaluate gives, of another contour.
+  if (evaluation.method == Method::kCertified) {
+    result.irradiance = EvaluateContour(query, workspace.contour, evaluation,
+                                        workspace.evaluation);
+  }
   KinkCandidates candidates =
       FindKinkPlanes(engine, query, workspace.Lines(engine).Find(query));
   if (candidates.touched.valid() && !candidates.touched_is_level) {
@@ -116,14 +119,25 @@ Derivatives DerivativesAt(const ContourEngine& engine, ContourQuery query,
   }
   const Vec3<Exact> normal =
       RecipeEvaluator<Exact>(ViewOf(query)).ReceiverNormal();
+  const auto planes_but = [&candidates](bool KinkPlane::*left_out) {
+    std::vector<KinkPlane> planes;
+    std::ranges::remove_copy_if(candidates.planes, std::back_inserter(planes),
+                                left_out);
+    return planes;
+  };
+  // E and its gradient have no kink in the receiver plane.
+  const std::vector<KinkPlane> planes =
+      options.jacobian ? candidates.planes : planes_but(&KinkPlane::is_level);
   const FieldRegion hemisphere =
-      RegionOf(engine, query, candidates.planes, workspace.contour);
+      RegionOf(engine, query, planes, workspace.contour);
   FieldRegion sphere;
+  const std::vector<KinkPlane> sphere_planes =
+      planes_but(&KinkPlane::is_horizon_only);
   if (options.sphere) {
     ContourQuery whole = query;
     whole.whole_sphere = true;
     workspace.builder.Build(whole, workspace.contour);
-    sphere = RegionOf(engine, whole, candidates.planes, workspace.contour);
+    sphere = RegionOf(engine, whole, sphere_planes, workspace.contour);
   }
   if (hemisphere.limits)
     TakeKinks(*hemisphere.limits, normal, evaluation.emission, result);
@@ -132,8 +146,9 @@ Derivatives DerivativesAt(const ContourEngine& engine, ContourQuery query,
                       evaluation.method, evaluation.emission},
                      options, workspace.evaluation);
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    const auto of_channel = [channel](const std::vector<double>& all) {
-      return std::span(all).subspan(channel * kComponentCount, kComponentCount);
+    const auto of_channel = [channel](const std::vector<double>& of_all) {
+      return std::span(of_all).subspan(channel * kComponentCount,
+                                       kComponentCount);
     };
     result.channels[channel] = Named(of_channel(numbers.values));
     result.bounds[channel] = Named(of_channel(numbers.bounds));

@@ -12,7 +12,8 @@
 
 namespace truelux {
 
-/// E and its derivatives at query.receiver. workspace: of the engine.
+/// E and its derivatives at query.receiver; with Method::kDouble without E.
+/// workspace: of the engine.
 Derivatives DerivativesAt(const ContourEngine& engine, ContourQuery query,
                           const EvaluationQuery& evaluation,
                           const DerivativeOptions& options,

@@ -90,11 +90,13 @@ std::vector<OptionRow> OutputOptions(RenderArguments& arguments) {
        .help = "the receivers of all pixels, as eval reads them"},
       {.name = "--also",
        .target = &arguments.also,
-       .help = "a further picture FILE_error.png, FILE_arcs.png or\n"
-               "FILE_class.png: |double - certified|, the number of arcs of\n"
-               "the visible contour, or lit, umbra, penumbra, conjunctive;\n"
-               "may be given for each",
-       .choices = {"error", "arcs", "class"}},
+       .help =
+           "a further picture FILE_error.png, FILE_arcs.png,\n"
+           "FILE_class.png or FILE_gradient.png: |double - certified|, the\n"
+           "number of arcs of the visible contour, or lit, umbra, penumbra,\n"
+           "conjunctive, or the length of the tangential gradient; may be\n"
+           "given for each",
+       .choices = {"error", "arcs", "class", "gradient"}},
       {.name = "--resume",
        .target = &arguments.resume,
        .help =

@@ -184,8 +184,10 @@ void ParseColours(const RenderArguments& arguments, const PixelWishes& wishes,
   }
   style.white = ParseWhite(arguments);
   if (!arguments.channel) return;
-  if (!style.false_colour && !wishes.differences) {
-    throw UsageError("--channel belongs to --false-colour and --also error");
+  if (!style.false_colour && !wishes.differences && !wishes.gradients) {
+    throw UsageError(
+        "--channel belongs to --false-colour, --also error and --also "
+        "gradient");
   }
   style.channel = ChannelOf(*arguments.channel);
 }
@@ -211,8 +213,8 @@ std::vector<std::string> PixelWords(const RenderArguments& arguments,
         arguments.up, arguments.fov}) {
     words.push_back(word ? "given " + *word : "");
   }
-  for (const bool wish :
-       {wishes.bounds, wishes.differences, wishes.arcs, wishes.classes}) {
+  for (const bool wish : {wishes.bounds, wishes.differences, wishes.arcs,
+                          wishes.classes, wishes.gradients}) {
     words.emplace_back(wish ? "yes" : "no");
   }
   return words;

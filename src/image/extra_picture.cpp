@@ -2,9 +2,12 @@
 #include "image/extra_picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <fmt/format.h>
+#include <utility>
+#include <vector>
 
 #include "explain/shadow_class.h"
 #include "image/false_colour.h"
@@ -12,6 +15,7 @@
 #include "image/png_image.h"
 #include "image/raster.h"
 #include "image/scalar_raster.h"
+#include "text/quantile.h"
 
 namespace truelux {
 namespace {
@@ -42,6 +46,31 @@ std::string ErrorPicture(const RenderedPixels& pixels,
       {{agreed, "no difference"}}};
   if (most == 0) legend.scale.reset();
   return PngImage(WithLegend(picture, legend));
+}
+
+/// The scale ends at a quantile: near where an edge touches the surface
+/// gradients have no limit.
+std::string GradientPicture(const RenderedPixels& pixels,
+                            std::optional<ScalarChannel> channel) {
+  constexpr double kShown = 0.99;
+  const Raster<double> values =
+      Scalars(pixels.image, pixels.gradients, [&](const Rgb& length) {
+        return channel ? ScalarOf(length, *channel)
+                       : *std::ranges::max_element(length);
+      });
+  std::vector<double> positive;
+  for (const double value : values.pixels()) {
+    if (value > 0 && std::isfinite(value)) positive.push_back(value);
+  }
+  const double top =
+      positive.empty() ? 1 : Quantile(std::move(positive), kShown);
+  const ColourScale scale = ColourScale::Linear(top);
+  const ImageLegend legend = {
+      {"|tangential gradient|", channel ? Name(*channel) : "largest channel",
+       "[W/m^3]", fmt::format("max {:.3g}", LargestOf(values))},
+      scale,
+      {}};
+  return PngImage(WithLegend(Coloured(values, scale), legend));
 }
 
 std::string ArcsPicture(const RenderedPixels& pixels) {
@@ -93,6 +122,8 @@ const char* Name(ExtraPicture extra) {
       return "arcs";
     case ExtraPicture::kClass:
       return "class";
+    case ExtraPicture::kGradient:
+      return "gradient";
   }
   return "error";
 }
@@ -108,6 +139,9 @@ void Wish(ExtraPicture extra, PixelWishes& wishes) {
     case ExtraPicture::kClass:
       wishes.classes = true;
       break;
+    case ExtraPicture::kGradient:
+      wishes.gradients = true;
+      break;
   }
 }
 
@@ -120,6 +154,8 @@ std::string ExtraPictureOf(ExtraPicture extra, const RenderedPixels& pixels,
       return ArcsPicture(pixels);
     case ExtraPicture::kClass:
       return ClassPicture(pixels);
+    case ExtraPicture::kGradient:
+      return GradientPicture(pixels, channel);
   }
   return ErrorPicture(pixels, channel);
 }

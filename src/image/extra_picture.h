@@ -15,13 +15,15 @@ namespace truelux {
 
 /// A further picture beside the irradiance.
 enum class ExtraPicture {
-  kError,  ///< |double - certified|
-  kArcs,   ///< number of arcs of the visible contour
-  kClass,  ///< lit, umbra, penumbra, ...
+  kError,     ///< |double - certified|
+  kArcs,      ///< number of arcs of the visible contour
+  kClass,     ///< lit, umbra, penumbra, ...
+  kGradient,  ///< length of the tangential gradient
 };
 
 inline constexpr std::array kExtraPictures = {
-    ExtraPicture::kError, ExtraPicture::kArcs, ExtraPicture::kClass};
+    ExtraPicture::kError, ExtraPicture::kArcs, ExtraPicture::kClass,
+    ExtraPicture::kGradient};
 
 /// The word on the command line and in the file's name.
 [[nodiscard]] const char* Name(ExtraPicture extra);
@@ -30,7 +32,7 @@ inline constexpr std::array kExtraPictures = {
 void Wish(ExtraPicture extra, PixelWishes& wishes);
 
 /// The bytes of its PNG file. pixels: rendered with that wish. channel: the one
-/// of kError; nothing: the largest of each pixel.
+/// of kError and kGradient; nothing: the largest of each pixel.
 [[nodiscard]] std::string ExtraPictureOf(ExtraPicture extra,
                                          const RenderedPixels& pixels,
                                          std::optional<ScalarChannel> channel);

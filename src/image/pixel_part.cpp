@@ -24,6 +24,7 @@ void ForEachRaster(Pixels& pixels, const Visit& visit) {
   visit_filled(pixels.differences);
   visit_filled(pixels.arcs);
   visit_filled(pixels.classes);
+  visit_filled(pixels.gradients);
 }
 
 std::string BytesOf(const TileArea& area, const RenderedPixels& pixels) {

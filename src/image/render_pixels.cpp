@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "truelux/derivatives.h"
+
 #include "image/tile_grid.h"
 #include "run/interrupt.h"
 #include "run/parallel.h"
@@ -55,6 +57,7 @@ class Renderer {
       other_.emplace(oracle.prepared(), OtherMethod(oracle.options()));
       result_.differences = Raster<Rgb>(w, h);
     }
+    if (wishes.gradients) result_.gradients = Raster<Rgb>(w, h);
     if (wishes.arcs) result_.arcs = Raster<std::int32_t>(w, h, 0);
     if (wishes.classes) {
       result_.classes = Raster<ShadowClass>(w, h, ShadowClass::kNothing);
@@ -109,6 +112,7 @@ class Renderer {
       StopIfInterrupted();
     });
     if (other_) Compare(tile);
+    if (wishes_.gradients) FindGradients(tile);
     if (is_long_) Describe(tile);
   }
 
@@ -124,6 +128,20 @@ class Renderer {
       }
       StopIfInterrupted();
     });
+  }
+
+  /// 0 where a receiver lies on a face that is not its own.
+  void FindGradients(const Tile& tile) {
+    oracle_.Derivatives(
+        tile.receivers, {.sphere = false, .jacobian = false},
+        [&](std::size_t i, const Derivatives& derivatives) {
+          const auto [x, y] = tile.pixels[i];
+          for (std::size_t k = 0; k < 3; ++k) {
+            const Vector3& g = derivatives.channels[k].tangential;
+            result_.gradients.At(x, y)[k] = std::hypot(g.x, g.y, g.z);
+          }
+          StopIfInterrupted();
+        });
   }
 
   /// The class if the evaluation found that nothing is visible.

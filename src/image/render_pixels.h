@@ -19,6 +19,7 @@ struct PixelWishes {
   bool differences = false;  ///< |double - certified|
   bool arcs = false;
   bool classes = false;
+  bool gradients = false;  ///< lengths of tangential gradients
 };
 
 /// Evaluates the receivers of all pixels. The result does not depend on the

@@ -21,6 +21,7 @@ struct RenderedPixels {
   Raster<Rgb> differences;    ///< |value - the other method's|
   Raster<std::int32_t> arcs;  ///< 0 where there is no receiver
   Raster<ShadowClass> classes;
+  Raster<Rgb> gradients;  ///< lengths of tangential gradients [W/m^3]
 };
 
 }  // namespace truelux

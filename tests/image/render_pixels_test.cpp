@@ -14,6 +14,8 @@
 
 #include <gtest/gtest.h>
 
+#include "truelux/derivatives.h"
+
 #include "image/extra_picture.h"
 #include "image/picture_view.h"
 #include "support/scene_text.h"
@@ -91,6 +93,8 @@ void ExpectTheOraclesAnswers(const Oracle& oracle,
                 ShadowClassOf(oracle.scene(), *receiver, contour));
       EXPECT_EQ(static_cast<std::size_t>(pixels.arcs.At(x, y)),
                 contour.arcs.size());
+      const Vector3 g = oracle.Derivatives(*receiver).channels[1].tangential;
+      EXPECT_EQ(pixels.gradients.At(x, y)[1], std::hypot(g.x, g.y, g.z));
     }
   }
 }

@@ -55,7 +55,8 @@ class LimitFinder {
   LimitFinder(const ContourEngine& engine, const ContourQuery& query)
       : query_(query),
         builder_(engine),
-        exponent_(StepExponent(query)),
+        range_(CoordinateRangeOf(query)),
+        exponent_(range_.StepExponent()),
         precision_(StepPrecision(exponent_)) {}
 
   /// Of what it finds [bits].
@@ -85,6 +86,8 @@ class LimitFinder {
       for (std::size_t channel = 0; channel < 3; ++channel) {
         if (weights[s][channel] == 0) continue;
         const ArbReal weight(precision_, Exact(weights[s][channel]));
+        result.size[channel] =
+            result.size[channel] + range_.Slope(weights[s][channel]);
         for (std::size_t p = 0; p < 3; ++p) {
           Vec3<ArbReal>& row = result.rows[channel][p];
           const Vec3<ArbReal> own = weight * fields[s].jacobian[p];
@@ -101,6 +104,7 @@ class LimitFinder {
   const ContourQuery& query_;
   DisplacedContourBuilder builder_;
   Contour contour_;
+  CoordinateRange range_;
   long exponent_;
   slong precision_;
 };
@@ -132,24 +136,26 @@ void TakeSize(const DisplacedJacobian& jacobian, ArbRgb& size) {
 
 }  // namespace
 
-/// An exponent e such that a step of 2^e changes no sign, and what is 0 in the
-/// limit is below 2^-500 beside it. Coordinates are multiples of 2^low and less
-/// than 2^high. A predicate is of degree 16 at most (the order of two cuts on a
+/// What is not zero stays what it is, and what is 0 in the limit is below 2^-500
+/// beside it. A predicate is of degree 16 at most (the order of two cuts on a
 /// cut), so what is not zero is at least 2^(16 low), and a step of 2^e changes
 /// it by less than 2^(e + 15 high + 40). The limits change by the step times
 /// second derivatives, fewer than 2^100 times what the lengths 2^low and 2^high
 /// allow.
-long StepExponent(const ContourQuery& query) {
-  int low = 0;
-  int high = 0;
-  const auto take = [&](double x) {
+long CoordinateRange::StepExponent() const {
+  return 16L * low - 16L * high - 660;
+}
+
+CoordinateRange CoordinateRangeOf(const ContourQuery& query) {
+  CoordinateRange range;
+  const auto take = [&range](double x) {
     if (x == 0) return;
     int exponent = 0;
     const double mantissa = std::frexp(x, &exponent);
-    high = std::max(high, exponent + 1);
     const auto bits =
         static_cast<std::uint64_t>(std::fabs(std::ldexp(mantissa, 53)));
-    low = std::min(low, exponent - 53 + std::countr_zero(bits));
+    range.high = std::max(range.high, exponent + 1);
+    range.low = std::min(range.low, exponent - 53 + std::countr_zero(bits));
   };
   for (const Point3& p : query.scene.vertices()) {
     take(p.x);
@@ -161,7 +167,7 @@ long StepExponent(const ContourQuery& query) {
        {position.x, position.y, position.z, normal.x, normal.y, normal.z}) {
     take(x);
   }
-  return 16L * low - 16L * high - 660;
+  return range;
 }
 
 JacobianLimits FindLimits(const ContourEngine& engine,

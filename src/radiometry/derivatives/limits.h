@@ -42,9 +42,23 @@ struct JacobianLimits {
   }
 };
 
-/// An exponent e such that a step of 2^e changes no sign of a predicate, in the
-/// scene and at the receiver of a query.
-long StepExponent(const ContourQuery& query);
+/// Coordinates are multiples of 2^low and less than 2^high.
+struct CoordinateRange {
+  int low = 0;
+  int high = 0;
+
+  /// An exponent e such that a step of 2^e changes no sign of a predicate.
+  [[nodiscard]] long StepExponent() const;
+
+  /// M / length of the scene [W/m^3]: what derivatives are compared with that
+  /// may all vanish with the step.
+  [[nodiscard]] ArbReal Slope(double exitance) const {
+    return ArbReal(64, Exact(exitance)).TimesTwoTo(-high);
+  }
+};
+
+/// Of the scene and the receiver of a query.
+CoordinateRange CoordinateRangeOf(const ContourQuery& query);
 
 /// The precision [bits] at which sums beside such a step are taken: the line of
 /// an edge that goes through r is then 2^e away, and parts of 2^-e cancel.

@@ -6,7 +6,6 @@
 #include "exact/displacement.h"
 #include "exact/exact_conversion.h"
 #include "radiometry/derivatives/arb_field.h"
-#include "radiometry/derivatives/limits.h"
 #include "radiometry/evaluate.h"
 
 namespace truelux {
@@ -79,7 +78,8 @@ VertexLimits::VertexLimits(const LooseEngine& loose, const ContourQuery& query,
       query_(query),
       emission_(emission),
       builder_(loose.engine),
-      exponent_(StepExponent(query)),
+      range_(CoordinateRangeOf(query)),
+      exponent_(range_.StepExponent()),
       precision_(StepPrecision(exponent_)) {
   query_.scene = loose.scene.scene;
   const Displacement nowhere;
@@ -122,6 +122,7 @@ auto VertexLimits::SideOf(int number, std::size_t axis, bool right) -> OneSide {
     for (std::size_t channel = 0; channel < 3; ++channel) {
       side.exitance[channel] =
           side.exitance[channel] + ArbReal(precision_, Exact(weight[channel]));
+      side.size[channel] = side.size[channel] + range_.Slope(weight[channel]);
     }
   }
   const VertexTerms terms = VertexTermsOf(view, query.scene, contour);

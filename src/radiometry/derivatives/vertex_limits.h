@@ -10,6 +10,7 @@
 #include "truelux/derivatives.h"
 
 #include "exact/arb_real.h"
+#include "radiometry/derivatives/limits.h"
 #include "radiometry/derivatives/loose_engine.h"
 #include "radiometry/derivatives/moving_contour.h"
 #include "radiometry/derivatives/vertex_terms.h"
@@ -51,6 +52,7 @@ class VertexLimits {
   Emission emission_;
   DisplacedContourBuilder builder_;
   Contour contour_;
+  CoordinateRange range_;
   long exponent_;                      ///< of a step
   slong precision_;                    ///< of sums beside it [bits]
   std::array<ArbReal, 3> irradiance_;  ///< E where nothing is displaced

@@ -63,7 +63,8 @@ void AppendFace(const Face& face, std::span<const LooseTriangle> triangles,
 
 /// A triangle that begins with its least corner.
 std::array<int, 3> Rotated(std::array<int, 3> triangle) {
-  std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+  std::rotate(triangle.begin(), std::ranges::min_element(triangle),
+              triangle.end());
   return triangle;
 }
 

@@ -292,7 +292,8 @@ std::string_view CsvReader::FirstLine() const {
 void CsvReader::Start() {
   started_ = true;
   FillLine();
-  is_utf16_ = LooksLikeUtf16({buffer_.data(), end_});
+  // Of the first line alone: what is behind it may come later, or not.
+  is_utf16_ = LooksLikeUtf16(FirstLine());
   if (FirstLine().starts_with(kByteOrderMark)) next_ = kByteOrderMark.size();
   for (;;) {
     const std::string_view whole = WithoutReturn(FirstLine());

@@ -278,9 +278,12 @@ TEST_F(Render, AnInterruptionLeavesNothing) {
        "--also", "arcs", "--engine", "arrangement", "--values", Path("v.csv")},
       around);
   EXPECT_EQ(outcome.exit_status, 130);
-  EXPECT_EQ(outcome.err,
-            "note: nothing was kept; --resume keeps what is done\n"
-            "interrupted\n");
+  // A slow receiver may not hear in time: then the end comes without the note.
+  const std::string note =
+      "note: nothing was kept; --resume keeps what is done\n";
+  EXPECT_TRUE(outcome.err == note + "interrupted\n" ||
+              outcome.err == "interrupted\n")
+      << outcome.err;
   EXPECT_EQ(folder_.Names(),
             (std::vector<std::string>{"room.mtl", "room.obj"}));
 }

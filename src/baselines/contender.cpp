@@ -15,15 +15,19 @@ constexpr std::size_t kSampleSets = 4;
 }  // namespace
 
 Contender OracleContender(const Scene& scene, const std::string& name,
-                          const OracleOptions& options) {
+                          OracleOptions options) {
+  const auto stop = std::make_shared<StopFlag>(false);
+  options.stop = stop.get();
   const auto oracle = std::make_shared<const Oracle>(scene, options);
-  const auto run = [oracle](std::span<const Receiver> receivers) {
+  const auto run = [oracle, stop](std::span<const Receiver> receivers) {
     std::vector<std::optional<Irradiance>> results(receivers.size());
     oracle->Evaluate(
         receivers, [&](std::size_t i, const Irradiance& e) { results[i] = e; });
     return results;
   };
-  return {name, name, run};
+  Contender contender = {name, name, run};
+  contender.stop = stop;
+  return contender;
 }
 
 Contender UnfilteredContender(const Scene& scene, const std::string& name) {

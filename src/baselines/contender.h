@@ -17,6 +17,7 @@
 #include "truelux/irradiance.h"
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
+#include "truelux/stop.h"
 
 #include "baselines/emitter_samples.h"
 #include "baselines/sampled.h"
@@ -37,6 +38,8 @@ struct Contender {
   std::string note = {};  ///< what a reader must know about it
   /// Runs add the seconds that are not the method's own; null: there are none.
   std::shared_ptr<double> not_counted = {};
+  /// Set from outside, a run ends with Stopped; null: it does not look.
+  std::shared_ptr<StopFlag> stop = {};
 };
 
 /// A method that takes the receivers one by one. one(receiver, index) gives an
@@ -56,9 +59,9 @@ Contender EachReceiver(std::string name, std::string group, OneReceiver one) {
   return {std::move(name), std::move(group), run};
 }
 
-/// E by the oracle with these options.
+/// E by the oracle with these options, but for `stop`, which is the contender's.
 Contender OracleContender(const Scene& scene, const std::string& name,
-                          const OracleOptions& options);
+                          OracleOptions options);
 
 /// The default engine with predicates in double without any filter, summed in
 /// double. May be wrong. For one thread.

@@ -12,11 +12,13 @@
 #include <utility>
 
 #include "truelux/irradiance.h"
+#include "truelux/stop.h"
 
 #include "base/receiver_block.h"
 #include "baselines/timing.h"
 #include "explain/receiver_reason.h"
 #include "run/announce.h"
+#include "run/deadline.h"
 #include "run/interrupt.h"
 #include "study/worst_receivers.h"
 #include "text/evenly_picked.h"
@@ -41,6 +43,10 @@ std::vector<std::size_t> SpreadOrder(std::size_t count) {
   return order;
 }
 
+/// A method may take so long for a block of receivers where the limit is
+/// shorter, so that a short limit still says what every usual method gives [s].
+constexpr double kPatience = 1;
+
 /// One method on the receivers that it is tried on.
 class Entry {
  public:
@@ -60,7 +66,9 @@ class Entry {
       receivers_.push_back(all[i]);
   }
 
-  /// Finds the values, until `seconds` are used up. nothing: without limit.
+  /// Finds the values, until `seconds` are used up. A block that takes longer
+  /// than that alone, and than kPatience, is given up if the method can stop.
+  /// nothing: without limit.
   void FindValues(std::optional<double> seconds) {
     const std::size_t blocks =
         (receivers_.size() + block_size_ - 1) / block_size_;
@@ -69,10 +77,11 @@ class Entry {
       if (seconds && !tried.empty() && spent_ > *seconds) break;
       Announce(fmt::format("{}: {} of {} receivers", method_.name,
                            block_size_ * tried.size(), receivers_.size()));
+      if (!HasRunBlock(block, seconds)) break;
       tried.push_back(block);
-      RunBlock(block);
     }
     KeepTried(tried);
+    if (tried.empty()) return;
     const std::size_t all = result_.values.size();
     result_.left_out = all - receivers_.size();
     result_.microseconds =
@@ -81,7 +90,7 @@ class Entry {
 
   /// Times the method once more, unless `seconds` are used up.
   void TimeOnce(double seconds) {
-    if (spent_ > seconds) return;
+    if (receivers_.empty() || spent_ > seconds) return;
     const double begin = ThreadSeconds();
     const double once =
         SecondsOfRun([this] { RunAll(); }, method_.not_counted.get());
@@ -91,6 +100,9 @@ class Entry {
   }
 
   [[nodiscard]] const std::string& name() const { return method_.name; }
+
+  /// Whether there is a receiver that it was quick enough for.
+  [[nodiscard]] bool HasValues() const { return !receivers_.empty(); }
 
   /// Processor time of a receiver, as it was found [s].
   [[nodiscard]] double SecondsOfOne() const {
@@ -105,6 +117,25 @@ class Entry {
  private:
   [[nodiscard]] std::size_t SizeOf(std::size_t block) const {
     return std::min(block_size_, receivers_.size() - block_size_ * block);
+  }
+
+  /// False if the time was up before the block was done.
+  bool HasRunBlock(std::size_t block, std::optional<double> seconds) {
+    if (!seconds || !method_.stop) {
+      RunBlock(block);
+      return true;
+    }
+    bool is_done = true;
+    {
+      const Deadline deadline(std::max(*seconds, kPatience), *method_.stop);
+      try {
+        RunBlock(block);
+      } catch (const Stopped&) {
+        is_done = false;
+      }
+    }
+    *method_.stop = false;
+    return is_done;
   }
 
   void RunBlock(std::size_t block) {
@@ -220,8 +251,15 @@ Comparison RunMethods(const Scene& scene, std::vector<Receiver> receivers,
     entry.FindValues(limits.seconds);
   }
   TimeInTurns(entries, limits);
-  for (Entry& entry : entries)
-    comparison.methods.push_back(entry.TakeResult());
+  for (Entry& entry : entries) {
+    if (entry.HasValues())
+      comparison.methods.push_back(entry.TakeResult());
+    else
+      comparison.absent.push_back(fmt::format(
+          "{}: not done with one receiver in {:g} s; more --seconds "
+          "would do",
+          entry.name(), std::max(limits.seconds, kPatience)));
+  }
   comparison.truth = TruthOf(comparison.methods.front());
   FindReasons(scene, limits.seconds, comparison);
   Announce("");

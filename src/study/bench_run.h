@@ -18,7 +18,9 @@ namespace truelux {
 struct BenchLimits {
   /// Processor time per method [s]. When it is used up no further receivers
   /// are tried, in an order that leaves them spread over the table, and no
-  /// further rounds. The truth is found whole.
+  /// further rounds. A method that is not done with its first receivers after
+  /// that time, or a second if that is longer, is left out. The truth is found
+  /// whole.
   double seconds = 10;
   int rounds = 5;  ///< of timing, in which the methods take turns
 };

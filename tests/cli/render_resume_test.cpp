@@ -151,8 +151,11 @@ TEST_F(RenderResume, WithoutItNothingIsKept) {
   *std::ranges::find(words, "250x190") = "1600x1200";
   const Outcome outcome = RunTruelux(words, around);
   EXPECT_EQ(outcome.exit_status, 130);
-  EXPECT_TRUE(Contains(outcome.err,
-                       "note: nothing was kept; --resume keeps what is done\n"))
+  // A run that is ended within a pixel, on a slow computer, has no time for it.
+  EXPECT_TRUE(
+      Contains(outcome.err,
+               "note: nothing was kept; --resume keeps what is done\n") ||
+      outcome.err == "interrupted\n")
       << outcome.err;
   EXPECT_EQ(folder_.Names(),
             (std::vector<std::string>{"scene.obj", "square.mtl"}));

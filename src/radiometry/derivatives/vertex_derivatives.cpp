@@ -2,8 +2,10 @@
 #include "radiometry/derivatives/vertex_derivatives.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -13,45 +15,79 @@
 #include "radiometry/derivatives/certify.h"
 #include "radiometry/derivatives/exact_form.h"
 #include "radiometry/derivatives/kink_planes.h"
+#include "radiometry/derivatives/vertex_balls.h"
 #include "radiometry/derivatives/vertex_limits.h"
 #include "radiometry/derivatives/vertex_suspects.h"
 #include "radiometry/derivatives/vertex_terms.h"
 #include "radiometry/evaluate.h"
+#include "radiometry/stages/rounding.h"
 
 namespace truelux {
 namespace {
 
-/// The vertices of one contour whose derivatives are sums over its arcs.
+/// Vertices that double-double leaves open, and which of their numbers: nine a
+/// vertex, axis by axis for each channel.
+struct OpenVertices {
+  std::vector<std::size_t> places;  ///< in VertexDerivatives::vertices
+  std::vector<bool> numbers;
+};
+
+/// Puts the derivatives of vertices whose derivatives are sums over arcs into
+/// `vertices`, as far as balls say them. suspects: are left out.
+OpenVertices TakeBalls(const std::vector<VertexBall<DoubleDouble>>& balls,
+                       const std::set<int>& suspects,
+                       std::vector<VertexDerivative>& vertices) {
+  OpenVertices open;
+  for (const VertexBall<DoubleDouble>& ball : balls) {
+    if (suspects.contains(ball.number)) continue;
+    VertexDerivative& derivative = vertices.emplace_back();
+    derivative.number = ball.number;
+    std::vector<bool> left;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        VertexSlope& slope = derivative.slopes[channel][axis];
+        const auto rounded =
+            ball.has_cuts
+                ? std::nullopt
+                : RoundIfCertain(Component(ball.slopes[channel], axis));
+        left.push_back(!rounded &&
+                       (ball.has_cuts || !ball.is_zero[channel][axis]));
+        if (!rounded || ball.is_zero[channel][axis]) continue;
+        slope.left = slope.right = *rounded;
+        slope.bound = HalfSpacing(std::fabs(*rounded));
+      }
+    }
+    if (std::ranges::find(left, true) == left.end()) continue;
+    open.places.push_back(vertices.size() - 1);
+    open.numbers.insert(open.numbers.end(), left.begin(), left.end());
+  }
+  return open;
+}
+
+/// The vertices that are left, by exact arcs.
 class SmoothVertices {
  public:
-  SmoothVertices(const MovingContour& contour, const VertexTerms& terms,
+  SmoothVertices(const MovingContour& contour, VertexTerms& all,
                  const std::vector<Rgb>& weights, Emission emission)
-      : contour_(contour), weights_(weights), emission_(emission) {
-    for (const auto& [number, own] : terms) {
-      numbers_.push_back(number);
-      terms_.push_back(&own);
-    }
+      : contour_(contour), all_(all), weights_(weights), emission_(emission) {
     for (const MovingArc& arc : contour.arcs)
       rational_.emplace_back(arc);
   }
 
-  void Find(VertexDerivatives& result) const {
+  void Find(const OpenVertices& open, VertexDerivatives& result) {
+    terms_.clear();
+    for (const std::size_t place : open.places)
+      terms_.push_back(&all_[result.vertices[place].number]);
     const CertifiedNumbers found =
         Certify({[this](slong precision) { return At(precision); },
                  [this](std::size_t i, const ArbReal&) { return IsZero(i); }},
-                std::vector<bool>(9 * numbers_.size(), true));
-    for (std::size_t v = 0; v < numbers_.size(); ++v) {
-      VertexDerivative derivative;
-      derivative.number = numbers_[v];
-      for (std::size_t channel = 0; channel < 3; ++channel) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          const std::size_t i = 9 * v + 3 * channel + axis;
-          VertexSlope& slope = derivative.slopes[channel][axis];
-          slope.left = slope.right = found.values[i];
-          slope.bound = found.bounds[i];
-        }
-      }
-      result.vertices.push_back(derivative);
+                open.numbers);
+    for (std::size_t i = 0; i < open.numbers.size(); ++i) {
+      if (!open.numbers[i]) continue;
+      VertexSlope& slope =
+          result.vertices[open.places[i / 9]].slopes[i / 3 % 3][i % 3];
+      slope.left = slope.right = found.values[i];
+      slope.bound = found.bounds[i];
     }
     result.undecided += found.undecided;
   }
@@ -87,9 +123,9 @@ class SmoothVertices {
   }
 
   const MovingContour& contour_;
+  VertexTerms& all_;
   const std::vector<Rgb>& weights_;
   Emission emission_;
-  std::vector<int> numbers_;
   std::vector<const std::vector<VertexTerm>*> terms_;
   std::vector<RationalArc> rational_;
 };
@@ -125,15 +161,20 @@ VertexDerivatives VertexDerivativesAt(
     workspace.builder.Build(query, workspace.contour);
   }
   const ReceiverView view = ViewOf(query);
-  MovingContour contour = MovingContourOf(view, workspace.contour);
-  SplitCuts(view, query.scene, contour);
-  VertexTerms terms = VertexTermsOf(view, query.scene, contour);
   std::vector<Rgb> weights;
   FindWeights(query, workspace.contour, weights);
   const std::set<int> suspects = FindSuspects(engine, query, lines.Find(query));
-  for (const int suspect : suspects)
-    terms.erase(suspect);
-  SmoothVertices(contour, terms, weights, evaluation.emission).Find(result);
+  const OpenVertices open = TakeBalls(
+      VertexBallsOf({view, workspace.contour, weights}, query.scene,
+                    evaluation.emission, workspace.evaluation.double_double),
+      suspects, result.vertices);
+  if (!open.places.empty()) {
+    MovingContour contour = MovingContourOf(view, workspace.contour);
+    SplitCuts(view, query.scene, contour);
+    VertexTerms terms = VertexTermsOf(view, query.scene, contour);
+    SmoothVertices(contour, terms, weights, evaluation.emission)
+        .Find(open, result);
+  }
   if (!suspects.empty()) {
     VertexLimits limits(loose(), query, evaluation.emission);
     for (const int suspect : suspects)

@@ -15,24 +15,54 @@ ArbReal Zero() {
   return ArbReal(64, 0L);
 }
 
-/// E per channel: n.V / |n|.
-std::array<ArbReal, 3> IrradianceOf(const MovingContour& contour,
-                                    const std::vector<Rgb>& weights,
-                                    Emission emission, slong precision) {
-  const auto fields = ArbFieldsOf(contour, weights.size(), precision);
-  const Vec3<ArbReal> n = ArbVector(precision, contour.receiver_normal);
-  const ArbReal length = Sqrt(Dot(n, n));
-  std::array<ArbReal, 3> sums = {Zero(), Zero(), Zero()};
-  for (std::size_t s = 0; s < fields.size(); ++s) {
-    const ArbReal factor = Dot(n, fields[s].vector) / length;
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      sums[channel] = sums[channel] +
-                      factor * ArbReal(precision, Exact(weights[s][channel]));
-    }
+bool AreEqual(const Vec3<Exact>& a, const Vec3<Exact>& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/// Whether two arcs add the same to E if their sources emit the same.
+bool AreEqual(const MovingArc& a, const MovingArc& b) {
+  return a.outward == b.outward && AreEqual(a.first, b.first) &&
+         AreEqual(a.last, b.last);
+}
+
+/// Adds `sign` times what an arc adds to E per channel, -M beta/2 (n.m) / |n|
+/// over pi [docs/derivatives.md (2)].
+void AddIrradiance(const MovingArc& moving, const Rgb& weight,
+                   const Vec3<ArbReal>& unit_normal, long sign, slong precision,
+                   std::array<ArbReal, 3>& sums) {
+  const ArbArc arc(moving, precision);
+  const ArbReal part = arc.angle() * Dot(unit_normal, arc.outward()) *
+                       (ArbReal(precision, -sign) / ArbReal(precision, 2L));
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    if (weight[channel] == 0) continue;
+    sums[channel] =
+        sums[channel] + part * ArbReal(precision, Exact(weight[channel]));
   }
-  if (emission == Emission::kRadiance) {
-    for (ArbReal& sum : sums)
-      sum = sum * ArbReal::Pi(precision);
+}
+
+/// E of b less E of a, per channel. Arcs that both have are left out.
+std::array<ArbReal, 3> IrradianceBetween(const LitArcs& a, const LitArcs& b,
+                                         Emission emission, slong precision) {
+  std::array<ArbReal, 3> sums = {Zero(), Zero(), Zero()};
+  const Vec3<ArbReal> n = ArbVector(precision, a.contour.receiver_normal);
+  ArbReal scale = ArbReal(precision, 1L) / Sqrt(Dot(n, n));
+  if (emission == Emission::kExitance) scale = scale / ArbReal::Pi(precision);
+  const Vec3<ArbReal> scaled = scale * n;
+  std::vector<bool> is_common(a.contour.arcs.size());
+  for (const MovingArc& arc : b.contour.arcs) {
+    bool found = false;
+    for (std::size_t i = 0; i < is_common.size() && !found; ++i) {
+      const MovingArc& other = a.contour.arcs[i];
+      found = !is_common[i] && AreEqual(arc, other) &&
+              a.WeightOf(other) == b.WeightOf(arc);
+      if (found) is_common[i] = true;
+    }
+    if (!found) AddIrradiance(arc, b.WeightOf(arc), scaled, 1, precision, sums);
+  }
+  for (std::size_t i = 0; i < is_common.size(); ++i) {
+    const MovingArc& arc = a.contour.arcs[i];
+    if (!is_common[i])
+      AddIrradiance(arc, a.WeightOf(arc), scaled, -1, precision, sums);
   }
   return sums;
 }
@@ -85,10 +115,8 @@ VertexLimits::VertexLimits(const LooseEngine& loose, const ContourQuery& query,
   const Displacement nowhere;
   query_.displacement = &nowhere;
   builder_.Build(query_, contour_);
-  std::vector<Rgb> weights;
-  FindWeights(query_, contour_, weights);
-  irradiance_ = IrradianceOf(MovingContourOf(ViewOf(query_), contour_), weights,
-                             emission, precision_);
+  at_rest_.contour = MovingContourOf(ViewOf(query_), contour_);
+  FindWeights(query_, contour_, at_rest_.weights);
   query_.displacement = nullptr;
 }
 
@@ -111,30 +139,34 @@ auto VertexLimits::SideOf(int number, std::size_t axis, bool right) -> OneSide {
     builder_.Build(query, contour_);
   }
   const ReceiverView view = ViewOf(query);
-  const MovingContour contour = MovingContourOf(view, contour_);
-  std::vector<Rgb> weights;
-  FindWeights(query, contour_, weights);
-  OneSide side{IrradianceOf(contour, weights, emission_, precision_),
+  LitArcs lit{MovingContourOf(view, contour_), {}};
+  FindWeights(query, contour_, lit.weights);
+  OneSide side{IrradianceBetween(at_rest_, lit, emission_, precision_),
                {Zero(), Zero(), Zero()},
                {Zero(), Zero(), Zero()},
                {Zero(), Zero(), Zero()}};
-  for (const Rgb& weight : weights) {
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      side.exitance[channel] =
-          side.exitance[channel] + ArbReal(precision_, Exact(weight[channel]));
-      side.size[channel] = side.size[channel] + range_.Slope(weight[channel]);
+  for (const LitArcs* arcs : {&at_rest_, &lit}) {
+    for (const Rgb& weight : arcs->weights) {
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        side.exitance[channel] = side.exitance[channel] +
+                                 ArbReal(precision_, Exact(weight[channel]));
+      }
     }
   }
-  const VertexTerms terms = VertexTermsOf(view, query.scene, contour);
-  for (const auto& [other, own] : terms) {
-    const auto sums = VertexSums(contour, own, weights, emission_, precision_);
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    for (const Rgb& weight : lit.weights)
+      side.size[channel] = side.size[channel] + range_.Slope(weight[channel]);
+  }
+  VertexTerms terms = VertexTermsOf(view, query.scene, lit.contour);
+  for (const VertexTerm& term : terms[number]) {
+    const auto parts =
+        VertexSums(lit.contour, {term}, lit.weights, emission_, precision_);
     for (std::size_t channel = 0; channel < 3; ++channel) {
-      const Vec3<ArbReal>& v = sums[channel];
+      const Vec3<ArbReal>& v = parts[channel];
+      const ArbReal& part = axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+      side.slope[channel] = side.slope[channel] + part;
       side.size[channel] =
           side.size[channel] + v.x.Absolute() + v.y.Absolute() + v.z.Absolute();
-      if (other == number) {
-        side.slope[channel] = axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-      }
     }
   }
   return side;
@@ -149,12 +181,9 @@ VertexDerivative VertexLimits::At(int number) {
     for (std::size_t channel = 0; channel < 3; ++channel) {
       VertexSlope& slope = result.slopes[channel][axis];
       const ArbReal size = left.size[channel] + right.size[channel];
-      const ArbReal whole = irradiance_[channel].Absolute() +
-                            left.exitance[channel] + right.exitance[channel];
-      slope.left_jumps =
-          !IsNothing(left.irradiance[channel] - irradiance_[channel], whole);
-      slope.right_jumps =
-          !IsNothing(right.irradiance[channel] - irradiance_[channel], whole);
+      const ArbReal whole = left.exitance[channel] + right.exitance[channel];
+      slope.left_jumps = !IsNothing(left.step[channel], whole);
+      slope.right_jumps = !IsNothing(right.step[channel], whole);
       const bool is_same =
           IsNothing(left.slope[channel] - right.slope[channel], size);
       const auto rounded = [&size](const ArbReal& x) {

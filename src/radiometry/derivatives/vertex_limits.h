@@ -25,6 +25,16 @@ std::array<Vec3<ArbReal>, 3> VertexSums(const MovingContour& contour,
                                         const std::vector<Rgb>& weights,
                                         Emission emission, slong precision);
 
+/// The arcs of a contour and what their sources emit.
+struct LitArcs {
+  MovingContour contour;
+  std::vector<Rgb> weights;  ///< per source
+
+  [[nodiscard]] const Rgb& WeightOf(const MovingArc& arc) const {
+    return weights[arc.source.index()];
+  }
+};
+
 /// Derivatives by vertices that may not have any, from contours with the vertex
 /// displaced.
 class VertexLimits {
@@ -37,12 +47,12 @@ class VertexLimits {
   VertexDerivative At(int number);
 
  private:
-  /// E and dE/dv along one axis, per channel.
+  /// Beside where the vertex is, per channel.
   struct OneSide {
-    std::array<ArbReal, 3> irradiance;
-    std::array<ArbReal, 3> slope;
-    std::array<ArbReal, 3> size;      ///< bounds on the sizes of the slopes
-    std::array<ArbReal, 3> exitance;  ///< of all sources that are seen
+    std::array<ArbReal, 3> step;      ///< E less what it is there
+    std::array<ArbReal, 3> slope;     ///< dE/dv along one axis
+    std::array<ArbReal, 3> size;      ///< bounds on the sizes of its terms
+    std::array<ArbReal, 3> exitance;  ///< of all sources seen here and there
   };
 
   OneSide SideOf(int number, std::size_t axis, bool right);
@@ -53,9 +63,9 @@ class VertexLimits {
   DisplacedContourBuilder builder_;
   Contour contour_;
   CoordinateRange range_;
-  long exponent_;                      ///< of a step
-  slong precision_;                    ///< of sums beside it [bits]
-  std::array<ArbReal, 3> irradiance_;  ///< E where nothing is displaced
+  long exponent_;    ///< of a step
+  slong precision_;  ///< of sums beside it [bits]
+  LitArcs at_rest_;  ///< where nothing is displaced
 };
 
 }  // namespace truelux

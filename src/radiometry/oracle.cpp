@@ -264,7 +264,7 @@ truelux::VertexDerivatives Oracle::VertexDerivatives(
   const ContourQuery query{scene(), receiver, {}, false, options_.stop};
   const auto workspace = prepared_.data_->Borrow();
   return VertexDerivativesAt(
-      prepared_.data_->engine,
+      prepared_.data_->engine, prepared_.data_->GetContacts(),
       [this]() -> const LooseEngine& { return prepared_.data_->GetLoose(); },
       query, {Method::kCertified, options_.emission, Formula::kAuto, 0x1p20},
       *workspace);

@@ -14,6 +14,7 @@
 #include "base/pool.h"
 #include "radiometry/derivatives/coincident_lines.h"
 #include "radiometry/derivatives/loose_engine.h"
+#include "radiometry/derivatives/scene_contacts.h"
 #include "radiometry/evaluation_workspace.h"
 #include "visibility/contour.h"
 #include "visibility/edges/contour_engine.h"
@@ -55,8 +56,18 @@ struct PreparedScene::Data {
     return *loose;
   }
 
+  /// Made when it is first asked for. Any thread may ask.
+  const SceneContacts& GetContacts() {
+    std::call_once(contacts_are_made, [this] {
+      contacts = std::make_unique<SceneContacts>(engine);
+    });
+    return *contacts;
+  }
+
   Scene scene;
   ContourEngine engine;
+  std::once_flag contacts_are_made;
+  std::unique_ptr<const SceneContacts> contacts;
   std::once_flag loose_is_made;
   std::unique_ptr<const LooseEngine> loose;
   Pool<OracleWorkspace> workspaces;

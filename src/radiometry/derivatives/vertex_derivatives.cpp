@@ -141,7 +141,7 @@ bool IsNothing(const VertexDerivative& derivative) {
 }  // namespace
 
 VertexDerivatives VertexDerivativesAt(
-    const ContourEngine& engine,
+    const ContourEngine& engine, const SceneContacts& contacts,
     const std::function<const LooseEngine&()>& loose, ContourQuery query,
     const EvaluationQuery& evaluation, OracleWorkspace& workspace) {
   VertexDerivatives result;
@@ -150,8 +150,8 @@ VertexDerivatives VertexDerivativesAt(
   result.irradiance = EvaluateContour(query, workspace.contour, evaluation,
                                       workspace.evaluation);
   SeenLineFinder& lines = workspace.Lines(engine);
-  const KinkCandidates candidates =
-      FindKinkPlanes(engine, query, lines.Find(query));
+  const SeenLines* seen = &lines.Find(query);
+  const KinkCandidates candidates = FindKinkPlanes(engine, query, *seen);
   if (candidates.touched.valid()) {
     if (!candidates.touched_is_level) {
       result.smoothness = Smoothness::kDiscontinuous;
@@ -159,11 +159,12 @@ VertexDerivatives VertexDerivativesAt(
     }
     query.receiver.on_face = candidates.touched.value();
     workspace.builder.Build(query, workspace.contour);
+    seen = &lines.Find(query);
   }
   const ReceiverView view = ViewOf(query);
   std::vector<Rgb> weights;
   FindWeights(query, workspace.contour, weights);
-  const std::set<int> suspects = FindSuspects(engine, query, lines.Find(query));
+  const std::set<int> suspects = FindSuspects(engine, contacts, query, *seen);
   const OpenVertices open = TakeBalls(
       VertexBallsOf({view, workspace.contour, weights}, query.scene,
                     evaluation.emission, workspace.evaluation.double_double),

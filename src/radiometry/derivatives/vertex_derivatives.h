@@ -9,6 +9,7 @@
 #include "truelux/derivatives.h"
 
 #include "radiometry/derivatives/loose_engine.h"
+#include "radiometry/derivatives/scene_contacts.h"
 #include "radiometry/evaluation_query.h"
 #include "radiometry/prepared_scene.h"
 #include "visibility/contour.h"
@@ -18,9 +19,9 @@ namespace truelux {
 /// E and its derivatives by vertices at query.receiver. Those of vertices that
 /// may have none are limits: the contour is found with the vertex displaced to
 /// either side (exact/displacement.h). loose: makes or has the scene for that;
-/// only called if it is needed. workspace: of the engine.
+/// only called if it is needed. contacts, workspace: of the engine.
 VertexDerivatives VertexDerivativesAt(
-    const ContourEngine& engine,
+    const ContourEngine& engine, const SceneContacts& contacts,
     const std::function<const LooseEngine&()>& loose, ContourQuery query,
     const EvaluationQuery& evaluation, OracleWorkspace& workspace);
 

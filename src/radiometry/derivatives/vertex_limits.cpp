@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radiometry/derivatives/vertex_limits.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "exact/displacement.h"
 #include "exact/exact_conversion.h"
 #include "radiometry/derivatives/arb_field.h"
 #include "radiometry/evaluate.h"
+#include "radiometry/stages/rounding.h"
 
 namespace truelux {
 namespace {
@@ -195,6 +198,8 @@ VertexDerivative VertexLimits::At(int number) {
                           ? slope.left
                           : rounded(right.slope[channel]);
       }
+      slope.bound = HalfSpacing(
+          std::max(std::fabs(slope.left), std::fabs(slope.right)));
     }
   }
   return result;

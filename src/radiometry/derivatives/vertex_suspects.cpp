@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -18,9 +16,10 @@ namespace {
 
 class Finder {
  public:
-  Finder(const ContourEngine& engine, const ContourQuery& query,
-         const SeenLines& seen)
+  Finder(const ContourEngine& engine, const SceneContacts& contacts,
+         const ContourQuery& query, const SeenLines& seen)
       : pieces_(engine.pieces()),
+        contacts_(contacts),
         query_(query),
         seen_(seen),
         view_(ViewOf(query)),
@@ -31,7 +30,7 @@ class Finder {
     for (const PieceId piece : seen_.edge_on)
       AddFaceOf(piece);
     AddPairs();
-    AddEdgesOfSeveralNumbers();
+    AddTwins();
     for (const FacetId source : seen_.sources)
       AddNeighbours(source);
     AddStraightCorners();
@@ -82,6 +81,7 @@ class Finder {
       AddLine(pair.first);
       AddLine(pair.second);
     }
+    if (wanted_.empty()) return;
     for (const PieceId piece : seen_.pieces) {
       for (const VertexId vertex : pieces_.CornersOf(piece)) {
         if (wanted_.contains(vertex))
@@ -91,24 +91,17 @@ class Finder {
   }
 
   /// Edges of several faces that are one in space, but have ends of their own.
-  void AddEdgesOfSeveralNumbers() {
-    std::map<std::pair<VertexId, VertexId>, std::pair<int, int>> numbers_of;
+  void AddTwins() {
     for (const PieceId piece : seen_.pieces) {
-      const Face& face = FaceOfPiece(piece);
-      for (const EdgeId edge : pieces_.pieces()[piece].edges()) {
-        VertexId a = pieces_.corners()[edge];
-        VertexId b = pieces_.corners()[pieces_.NextCorner(edge)];
-        if (b < a) std::swap(a, b);
-        const std::pair numbers = {numbers_.Of(face, a, b),
-                                   numbers_.Of(face, b, a)};
-        const auto [entry, is_new] = numbers_of.try_emplace({a, b}, numbers);
-        if (is_new || entry->second == numbers) continue;
-        for (const auto& [first, second] : {numbers, entry->second}) {
-          found_.insert(first);
-          found_.insert(second);
-        }
+      for (const EdgeTwin& twin : contacts_.TwinsOf(piece)) {
+        if (IsSeen(twin.other))
+          found_.insert(twin.numbers.begin(), twin.numbers.end());
       }
     }
+  }
+
+  [[nodiscard]] bool IsSeen(PieceId piece) const {
+    return std::ranges::find(seen_.pieces, piece) != seen_.pieces.end();
   }
 
   /// The directions to the corners of a piece, counter-clockwise as seen.
@@ -141,21 +134,12 @@ class Finder {
 
   /// Faces that overlap a source in its plane, or stand on it.
   void AddNeighbours(FacetId source) {
-    const TriangleId own = FirstTriangleOf(FacetsOf(query_.scene)[source]);
-    for (const PieceId piece : seen_.pieces) {
-      const Piece& p = pieces_.pieces()[piece];
-      if (p.facet == source) continue;
-      const auto corners = pieces_.CornersOf(p);
-      std::vector<bool> is_in;
-      for (const VertexId v : corners)
-        is_in.push_back(exact_.AboveTriangle(own, v).is_zero());
-      const bool is_coplanar = std::ranges::all_of(is_in, std::identity());
-      for (std::size_t k = 0; k < corners.size() && !is_coplanar; ++k) {
-        const std::size_t next = (k + 1) % corners.size();
-        if (is_in[k] && is_in[next])
-          AddContact(source, piece, {corners[k], corners[next]});
-      }
-      if (is_coplanar) AddOverlap(source, piece);
+    for (const SourceContact& contact : contacts_.ContactsOf(source)) {
+      if (!IsSeen(contact.piece)) continue;
+      if (contact.is_coplanar)
+        AddOverlap(source, contact.piece);
+      else
+        AddContact(source, contact.piece, contact.edge);
     }
   }
 
@@ -185,27 +169,13 @@ class Finder {
   /// A displaced corner of 180 degrees makes a sliver of any tilt.
   void AddStraightCorners() {
     for (const PieceId piece : seen_.pieces) {
-      const Face& face = FaceOfPiece(piece);
-      const std::span<const int> numbers = NumbersOf(face);
-      const std::size_t n = numbers.size();
-      if (n < 4) continue;
-      const auto vertex = [&](std::size_t i) {
-        return VertexId(
-            query_.scene.corners()[static_cast<std::size_t>(face.first_corner) +
-                                   i % n]);
-      };
-      for (std::size_t i = 0; i < n; ++i) {
-        if (!AreParallel(exact_.FromVertex(vertex(i), vertex(i + 1)),
-                         exact_.FromVertex(vertex(i + 1), vertex(i + 2)))) {
-          continue;
-        }
-        for (std::size_t k = 0; k < 3; ++k)
-          found_.insert(numbers[(i + k) % n]);
-      }
+      const auto numbers = contacts_.StraightCornersOf(piece);
+      found_.insert(numbers.begin(), numbers.end());
     }
   }
 
   const ConvexPieces& pieces_;
+  const SceneContacts& contacts_;
   const ContourQuery& query_;
   const SeenLines& seen_;
   ReceiverView view_;
@@ -218,8 +188,9 @@ class Finder {
 }  // namespace
 
 std::set<int> FindSuspects(const ContourEngine& engine,
+                           const SceneContacts& contacts,
                            const ContourQuery& query, const SeenLines& seen) {
-  return Finder(engine, query, seen).Find();
+  return Finder(engine, contacts, query, seen).Find();
 }
 
 }  // namespace truelux

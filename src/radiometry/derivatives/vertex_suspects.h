@@ -7,6 +7,7 @@
 #include <set>
 
 #include "radiometry/derivatives/coincident_lines.h"
+#include "radiometry/derivatives/scene_contacts.h"
 #include "visibility/contour.h"
 #include "visibility/edges/contour_engine.h"
 
@@ -17,7 +18,10 @@ namespace truelux {
 /// edge-on; of faces that overlap in the plane of a source or stand on it; and
 /// around corners of 180 degrees [docs/derivatives.md, "Vertices"]. All others
 /// have derivatives; some of these have, too.
+///
+/// contacts: of the engine's scene.
 std::set<int> FindSuspects(const ContourEngine& engine,
+                           const SceneContacts& contacts,
                            const ContourQuery& query, const SeenLines& seen);
 
 }  // namespace truelux

@@ -104,6 +104,9 @@ InspectedView Inspect(const Oracle& oracle, const std::string& scene_name,
                                kWholeViewSteps));
         }
       });
+  inspected.arc_gradients =
+      ArcGradientsOf(inspected.scene, receiver, inspected.emission,
+                     inspected.view, inspected.derivatives);
   inspected.sources = SourcesOf(oracle, inspected, announce);
   return inspected;
 }

@@ -12,6 +12,7 @@
 #include "truelux/derivatives.h"
 #include "truelux/irradiance.h"
 
+#include "inspect/arc_gradients.h"
 #include "inspect/projection.h"
 #include "visibility/view/whole_view.h"
 
@@ -34,6 +35,7 @@ struct InspectedView {
   Derivatives derivatives;  ///< without Jacobians and the whole sphere
   ViewFrame frame;
   WholeView view;
+  ArcGradients arc_gradients;       ///< of the view
   std::vector<SeenSource> sources;  ///< largest form factor first
 };
 

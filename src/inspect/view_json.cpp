@@ -90,7 +90,20 @@ Json JsonOf(const InspectedView& inspected, int region) {
   return json;
 }
 
-Json JsonOf(const WholeViewArc& arc) {
+/// Per channel; null where no share is given.
+Json SharesOf(const ArcGradients& gradients, std::size_t arc) {
+  Json shares = Json::array();
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const bool is_given = gradients.shares[channel] == GradientShares::kGiven;
+    shares.push_back(is_given ? Json(gradients.arcs[arc].share[channel])
+                              : Json(nullptr));
+  }
+  return shares;
+}
+
+Json JsonOfArc(const InspectedView& inspected, std::size_t index) {
+  const WholeViewArc& arc = inspected.view.arcs[index];
+  const ArcGradients& gradients = inspected.arc_gradients;
   Json json;
   json["kind"] = Name(arc.kind);
   json["from"] = IndexOrNull(arc.from);
@@ -100,6 +113,13 @@ Json JsonOf(const WholeViewArc& arc) {
   json["left"] = arc.left;
   json["right"] = IndexOrNull(arc.right);
   json["edge"] = JsonOf(arc.edge);
+  json["gradient"] = nullptr;
+  json["gradient_share"] = nullptr;
+  if (gradients.arcs.empty()) return json;
+  json["gradient"] = Json::array();
+  for (const Vector3& vector : gradients.arcs[index].vector)
+    json["gradient"].push_back(JsonOf(vector));
+  json["gradient_share"] = SharesOf(gradients, index);
   return json;
 }
 
@@ -194,8 +214,8 @@ std::string ViewJson(const InspectedView& inspected) {
     elements.push_back(JsonOf(inspected, static_cast<int>(r)));
   AppendArray(text, "regions", elements, ",\n");
   elements.clear();
-  for (const WholeViewArc& arc : inspected.view.arcs)
-    elements.push_back(JsonOf(arc));
+  for (std::size_t a = 0; a < inspected.view.arcs.size(); ++a)
+    elements.push_back(JsonOfArc(inspected, a));
   AppendArray(text, "arcs", elements, ",\n");
   elements.clear();
   for (const WholeViewVertex& vertex : inspected.view.vertices)

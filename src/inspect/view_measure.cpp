@@ -54,23 +54,23 @@ Vector3 InFrame(const Vector3& v, const ViewFrame& frame) {
   return {Dot3(v, frame.right), Dot3(v, frame.up), Dot3(v, frame.ahead)};
 }
 
+double AngleOfArc(const WholeView& view, const WholeViewArc& arc) {
+  if (arc.from == arc.to) return 2 * kPi;
+  return AngleOf(UnitOf(DirectionOf(view, arc.from)),
+                 UnitOf(DirectionOf(view, arc.to)), UnitOf(arc.plane_normal),
+                 arc.at_least_pi);
+}
+
 CircleArc ArcInFrame(const WholeView& view, const WholeViewArc& arc,
                      const ViewFrame& frame) {
   // right, up, ahead turn to the left: what runs counter-clockwise about the
   // normal runs clockwise in the frame.
   const Vector3 n = UnitOf(InFrame(arc.plane_normal, frame));
   Vector3 start{1, 0, 0};  // of the whole horizon
-  double angle = 2 * kPi;
-  if (arc.from >= 0) {
-    const Vector3 from = UnitOf(DirectionOf(view, arc.from));
-    start = UnitOf(InFrame(from, frame));
-    if (arc.from != arc.to) {
-      angle = AngleOf(from, UnitOf(DirectionOf(view, arc.to)),
-                      UnitOf(arc.plane_normal), arc.at_least_pi);
-    }
-  }
+  if (arc.from >= 0)
+    start = UnitOf(InFrame(UnitOf(DirectionOf(view, arc.from)), frame));
   const Vector3 side = Cross3(n, start);
-  return {start, {-side.x, -side.y, -side.z}, angle};
+  return {start, {-side.x, -side.y, -side.z}, AngleOfArc(view, arc)};
 }
 
 std::vector<std::vector<CircleArc>> BorderOf(const WholeView& view, int region,

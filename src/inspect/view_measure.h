@@ -17,6 +17,9 @@ namespace truelux {
                                    const WholeViewArc& arc,
                                    const ViewFrame& frame);
 
+/// The angle of an arc [rad]; 2 pi for the whole horizon.
+[[nodiscard]] double AngleOfArc(const WholeView& view, const WholeViewArc& arc);
+
 /// A vector's components right, up, ahead.
 [[nodiscard]] Vector3 InFrame(const Vector3& v, const ViewFrame& frame);
 

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
 
 #include "draw/svg.h"
 #include "explain/edge_text.h"
+#include "inspect/view_light.h"
 #include "inspect/view_style.h"
 #include "text/results.h"
 
@@ -97,11 +99,22 @@ class Panel {
 
   void AddIrradiance() {
     Put(0, "start", "Irradiance [W/m²]", kBold);
+    const Derivatives& derivatives = inspected_.derivatives;
+    const bool has_gradient =
+        derivatives.smoothness != Smoothness::kDiscontinuous;
+    Put(kGradient, "end",
+        derivatives.smoothness == Smoothness::kC1 ? "|dE/dr| [W/m³]"
+        : has_gradient                            ? "kink, mean |dE/dr| [W/m³]"
+                                                  : "discontinuous: no dE/dr",
+        kFaint);
     constexpr std::array kNames = {"red", "green", "blue"};
     for (std::size_t c = 0; c < 3; ++c) {
       Next();
       Put(22, "start", kNames[c], kFaint);
       Put(72, "start", ShortestText(inspected_.irradiance[c]));
+      const Vector3& g = derivatives.channels[c].gradient;
+      if (has_gradient)
+        Put(kGradient, "end", SixDigits(std::hypot(g.x, g.y, g.z)));
     }
     Next(1.5);
   }
@@ -156,7 +169,40 @@ class Panel {
       Put(22, "start", LegendOf(kind));
       AddCount(count);
     }
+    AddLight();
     Next(1.5);
+  }
+
+  void AddBand(const char* colour, const char* text) {
+    Next();
+    svg_ += fmt::format(
+        "<path d=\"M{:.1f} {:.1f}h16\" stroke=\"{}\" stroke-opacity=\"0.55\""
+        " stroke-width=\"{:.1f}\"/>\n",
+        x_ - 1, y_ - 4, colour, kWholeGradientWidth / 2);
+    Put(22, "start", text);
+  }
+
+  /// How the picture shows the gradient and V.
+  void AddLight() {
+    const ArcGradients& gradients = inspected_.arc_gradients;
+    std::array<bool, 2> has{};  // against the gradient, with it
+    for (std::size_t a = 0; a < gradients.arcs.size(); ++a) {
+      const double share = LargestShareOf(gradients, a);
+      if (share != 0) has[share > 0 ? 1 : 0] = true;
+    }
+    if (has[1]) AddBand(kWithGradientColour, "carries half of dE/dr");
+    if (has[0]) AddBand(kAgainstGradientColour, "takes half of it away");
+    const auto& channels = inspected_.derivatives.channels;
+    const bool has_vector = std::ranges::any_of(channels, [](const auto& c) {
+      return c.vector.x != 0 || c.vector.y != 0 || c.vector.z != 0;
+    });
+    if (!has_vector) return;
+    Next();
+    svg_ += fmt::format(
+        "<path d=\"M{0:.1f} {1:.1f}h7\" stroke=\"#000000\""
+        " stroke-width=\"2\"/><path d=\"M{2:.1f} {1:.1f}l-9 -4v8Z\"/>\n",
+        x_ - 1, y_ - 4, x_ + 15);
+    Put(22, "start", "direction of the vector irradiance V");
   }
 
   void AddMarks() {
@@ -233,6 +279,7 @@ class Panel {
     return fmt::format("{} {}", face, group);
   }
 
+  static constexpr double kGradient = kViewPanelWidth - 24;
   static constexpr double kFormFactor = 246;
   static constexpr double kSolidAngle = kViewPanelWidth - 24;
 

@@ -15,7 +15,7 @@ namespace truelux {
 inline constexpr double kViewPanelWidth = 372;
 
 /// The height that it needs for all but the sources, and some of them [px].
-inline constexpr double kViewPanelHeight = 690;
+inline constexpr double kViewPanelHeight = 744;
 
 /// SVG of the panel: its left upper corner, and where it must end [px]. What
 /// of the sources has no room is summed up.

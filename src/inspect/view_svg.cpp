@@ -13,6 +13,7 @@
 
 #include "draw/label_layout.h"
 #include "draw/svg.h"
+#include "inspect/view_light.h"
 #include "inspect/view_measure.h"
 #include "inspect/view_panel.h"
 #include "inspect/view_style.h"
@@ -44,9 +45,11 @@ class ViewDrawing {
     AddStart();
     AddRegions();
     AddRings();
+    svg_ += GradientBands(inspected_, disc_);
     AddArcs();
     AddRim();
     AddAxes();
+    svg_ += VectorArrows(inspected_, disc_, centre_);
     AddVertices();
     svg_ += ViewPanel(inspected_, picture_.projection,
                       {width_ - kViewPanelWidth + 12, 22}, height_ - 12);

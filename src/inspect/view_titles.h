@@ -19,7 +19,8 @@ namespace truelux {
 [[nodiscard]] std::string TitleOfRegion(const InspectedView& inspected,
                                         std::size_t region);
 
-/// Its kind, its edge, what is on both sides, its plane.
+/// Its kind, its edge, what is on both sides, its plane, its share of the
+/// gradient.
 [[nodiscard]] std::string TitleOfArc(const InspectedView& inspected,
                                      std::size_t arc);
 
@@ -27,6 +28,10 @@ namespace truelux {
 /// lines of their own, not more than ten.
 [[nodiscard]] std::string TitleOfVertex(const InspectedView& inspected,
                                         std::size_t vertex);
+
+/// V of each channel [W/m^2], 17 digits.
+[[nodiscard]] std::string TitleOfVectorIrradiance(
+    const InspectedView& inspected);
 
 }  // namespace truelux
 

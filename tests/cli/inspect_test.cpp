@@ -17,6 +17,7 @@ namespace truelux::test {
 namespace {
 
 using Json = nlohmann::json;
+using testing::CountOf;
 using Words = std::vector<std::string>;
 
 Words Inspect(const std::string& scene, const Words& more) {
@@ -54,6 +55,15 @@ TEST(Inspect, WritesPictureAndNumbers) {
   EXPECT_EQ(json["derivatives"]["status"], "C1");
   EXPECT_EQ(json["derivatives"]["vector_irradiance"].size(), 3U);
   EXPECT_EQ(json["derivatives"]["gradient"][0].size(), 3U);
+  EXPECT_EQ(CountOf(svg, "25 % of dE/dr: r "), 8U);  // arcs and their bands
+  double share = 0;
+  for (const Json& arc : json["arcs"]) {
+    const bool is_horizon = arc["kind"] == "horizon";
+    EXPECT_EQ(arc["gradient"].size(), 3U);
+    EXPECT_EQ(arc["gradient"][0] == (Json{0.0, 0.0, 0.0}), is_horizon);
+    share += arc["gradient_share"][0].get<double>();
+  }
+  EXPECT_NEAR(share, 1, 1e-14);
   ASSERT_EQ(json["regions"].size(), 2U);
   ASSERT_EQ(json["arcs"].size(), 5U);
   ASSERT_EQ(json["vertices"].size(), 4U);

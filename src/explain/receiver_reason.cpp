@@ -11,47 +11,13 @@
 #include <span>
 #include <vector>
 
+#include "base/vector_math.h"
 #include "scene/scene_access.h"
 #include "text/number_text.h"
 #include "visibility/on_horizon.h"
 
 namespace truelux {
 namespace {
-
-double Dot(const Vector3& a, const Vector3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-Vector3 Cross(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-Vector3 Times(double s, const Vector3& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-
-double Length(const Vector3& v) {
-  return std::hypot(v.x, v.y, v.z);
-}
-
-/// Of length 1; first divided by the largest component, for normals of any
-/// length.
-Vector3 Unit(const Vector3& v) {
-  const double largest =
-      std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (largest == 0) return v;
-  const Vector3 scaled{v.x / largest, v.y / largest, v.z / largest};
-  return Times(1 / Length(scaled), scaled);
-}
-
-Vector3 Sum(const Vector3& a, const Vector3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-/// The angle between two directions.
-double Angle(const Vector3& a, const Vector3& b) {
-  return std::atan2(Length(Cross(a, b)), Dot(a, b));
-}
 
 /// What is visible of one source.
 struct Part {
@@ -80,9 +46,9 @@ class Reader {
       : scene_(scene),
         receiver_(receiver),
         contour_(contour),
-        normal_(Unit(receiver.normal)) {
+        normal_(UnitOf(receiver.normal)) {
     for (const ContourVertex& vertex : contour.vertices)
-      directions_.push_back(Unit(vertex.direction));
+      directions_.push_back(UnitOf(vertex.direction));
   }
 
   ReceiverTraits Read() {
@@ -111,8 +77,8 @@ class Reader {
   }
 
   void ReadArc(const ContourArc& arc) {
-    const double angle = Angle(Direction(arc.from), Direction(arc.to));
-    const Vector3 term = Times(angle / 2, Unit(arc.plane_normal));
+    const double angle = AngleBetween(Direction(arc.from), Direction(arc.to));
+    const Vector3 term = Times(angle / 2, UnitOf(arc.plane_normal));
     term_sum_ += Dot(normal_, term);
     term_sizes_ += std::abs(Dot(normal_, term));
     Part& part = parts_[arc.source];
@@ -163,17 +129,17 @@ class Reader {
     if (vertex.valid()) {
       const Point3& v = VerticesOf(scene_)[vertex];
       const Point3& r = receiver_.position;
-      direction = Unit({v.x - r.x, v.y - r.y, v.z - r.z});
+      direction = UnitOf({v.x - r.x, v.y - r.y, v.z - r.z});
     }
     const double sine = Dot(normal_, direction);
-    return std::max(0.0, std::atan2(sine, Length(Cross(normal_, direction))));
+    return std::max(0.0, std::atan2(sine, LengthOf(Cross(normal_, direction))));
   }
 
   void ReadMainSource() {
     const Part* main = nullptr;
     double largest = -1;
     for (const auto& [source, part] : parts_) {
-      const double size = Length(part.vector_irradiance);
+      const double size = LengthOf(part.vector_irradiance);
       if (size <= largest) continue;
       largest = size;
       main = &part;
@@ -183,7 +149,7 @@ class Reader {
       mean = Sum(mean, Direction(vertex));
     for (const int vertex : main->vertices)
       traits_.extent =
-          std::max(traits_.extent, 2 * Angle(mean, Direction(vertex)));
+          std::max(traits_.extent, 2 * AngleBetween(mean, Direction(vertex)));
     if (main->perimeter > 0) traits_.width = 2 * largest / main->perimeter;
   }
 

@@ -7,7 +7,8 @@
 #include <numbers>
 #include <span>
 
-#include "inspect/projection.h"
+#include "base/vector_math.h"
+#include "explain/arc_integral.h"
 #include "inspect/view_measure.h"
 #include "scene/facet_normal.h"
 
@@ -15,46 +16,6 @@ namespace truelux {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-double Dot3(const Vector3& a, const Vector3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-Vector3 Cross3(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-Vector3 Sum(const Vector3& a, const Vector3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-Vector3 Times(double s, const Vector3& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-
-double LengthOfVector(const Vector3& a) {
-  return std::hypot(a.x, a.y, a.z);
-}
-
-Vector3 From(const Point3& a, const Point3& b) {
-  return {b.x - a.x, b.y - a.y, b.z - a.z};
-}
-
-/// The integral of w / rho over an arc, docs/derivatives.md (6). first, last:
-/// its ends; q1, q2: 1 / rho there; angle: in [0, pi).
-Vector3 InverseDistances(const Vector3& first, const Vector3& last, double q1,
-                         double q2, double angle) {
-  const double sine = std::sin(angle);
-  const double wide = 1 + std::cos(angle);
-  const double a = (angle + sine) / (4 * wide);
-  // (angle - sine) has no digits left on short arcs; the next term of the
-  // series is angle^2 / 30 times this one.
-  constexpr double kShort = 1e-4;
-  const double b =
-      angle < kShort ? angle / 12 : (angle - sine) * wide / (4 * sine * sine);
-  return Sum(Times(a * (q1 + q2), Sum(first, last)),
-             Times(b * (q2 - q1), Sum(last, Times(-1, first))));
-}
 
 class ArcSummer {
  public:
@@ -77,9 +38,9 @@ class ArcSummer {
     const Vector3 last = DirectionOf(arc.to);
     const Vector3 inverse = InverseDistanceOf(arc, to_left);
     const Vector3 k =
-        InverseDistances(first, last, Dot3(inverse, first), Dot3(inverse, last),
+        InverseDistances(first, last, Dot(inverse, first), Dot(inverse, last),
                          AngleOfArc(view_, arc));
-    const Vector3 unit = Times(Dot3(normal_, k) / kPi, to_left);
+    const Vector3 unit = Times(Dot(normal_, k) / kPi, to_left);
     for (std::size_t channel = 0; channel < 3; ++channel)
       gradient.vector[channel] = Times(left[channel] - right[channel], unit);
     return gradient;
@@ -112,14 +73,13 @@ class ArcSummer {
     if (arc.edge.a < 0) return InverseDistanceOfMeeting(arc.edge, normal);
     const Point3& a = scene_.vertices()[static_cast<std::size_t>(arc.edge.a)];
     const Point3& b = scene_.vertices()[static_cast<std::size_t>(arc.edge.b)];
-    const Vector3 line = UnitOf(From(a, b));
-    const Vector3 to_a = From(receiver_.position, a);
-    const Vector3 to_b = From(receiver_.position, b);
-    const Vector3& near =
-        LengthOfVector(to_a) < LengthOfVector(to_b) ? to_a : to_b;
+    const Vector3 line = UnitOf(FromTo(a, b));
+    const Vector3 to_a = FromTo(receiver_.position, a);
+    const Vector3 to_b = FromTo(receiver_.position, b);
+    const Vector3& near = LengthOf(to_a) < LengthOf(to_b) ? to_a : to_b;
     // N = near x line is this times the normal, and G = (line x N) / N^2.
-    const double moment = Dot3(Cross3(near, line), normal);
-    return Times(1 / moment, Cross3(line, normal));
+    const double moment = Dot(Cross(near, line), normal);
+    return Times(1 / moment, Cross(line, normal));
   }
 
   [[nodiscard]] std::span<const Facet> FacetsOf(int face) const {
@@ -136,7 +96,7 @@ class ArcSummer {
     const auto corner =
         static_cast<std::size_t>(scene_.triangles()[triangle].vertices[0]);
     const double height =
-        Dot3(n, From(receiver_.position, scene_.vertices()[corner]));
+        Dot(n, FromTo(receiver_.position, scene_.vertices()[corner]));
     return Times(1 / height, n);
   }
 
@@ -150,8 +110,8 @@ class ArcSummer {
       const Vector3 inverse = InverseDistanceOf(facet);
       for (const Facet& other : FacetsOf(edge.other_face)) {
         // Where both planes are equally far.
-        const Vector3 plane = Sum(inverse, Times(-1, InverseDistanceOf(other)));
-        const double off = LengthOfVector(Cross3(UnitOf(plane), normal));
+        const Vector3 plane = Difference(inverse, InverseDistanceOf(other));
+        const double off = LengthOf(Cross(UnitOf(plane), normal));
         if (off < least) {
           least = off;
           best = inverse;
@@ -172,7 +132,7 @@ class ArcSummer {
 void FindShares(const Derivatives& derivatives, std::size_t channel,
                 ArcGradients& gradients) {
   const Vector3& g = derivatives.channels[channel].gradient;
-  const double length = LengthOfVector(g);
+  const double length = LengthOf(g);
   if (length == 0) {
     gradients.shares[channel] = GradientShares::kNoGradient;
     return;
@@ -180,10 +140,10 @@ void FindShares(const Derivatives& derivatives, std::size_t channel,
   const Vector3 ahead = UnitOf(g);
   Vector3 missing = g;
   for (ArcGradient& arc : gradients.arcs) {
-    arc.share[channel] = Dot3(arc.vector[channel], ahead) / length;
-    missing = Sum(missing, Times(-1, arc.vector[channel]));
+    arc.share[channel] = Dot(arc.vector[channel], ahead) / length;
+    missing = Difference(missing, arc.vector[channel]);
   }
-  const bool adds_up = LengthOfVector(missing) <= kShareError * length;
+  const bool adds_up = LengthOf(missing) <= kShareError * length;
   gradients.shares[channel] =
       adds_up ? GradientShares::kGiven : GradientShares::kDoNotAddUp;
 }
@@ -191,7 +151,7 @@ void FindShares(const Derivatives& derivatives, std::size_t channel,
 }  // namespace
 
 double ArcGradients::LengthOf(std::size_t arc, std::size_t channel) const {
-  return LengthOfVector(arcs[arc].vector[channel]);
+  return truelux::LengthOf(arcs[arc].vector[channel]);
 }
 
 ArcGradients ArcGradientsOf(const Scene& scene, const Receiver& receiver,

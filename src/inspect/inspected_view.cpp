@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 
+#include "base/vector_math.h"
 #include "inspect/view_measure.h"
 #include "scene/emitters.h"
 #include "scene/facet_normal.h"
@@ -49,7 +50,7 @@ std::string SourceColour(const Rgb& emission) {
 /// |cos| of the angle between a facet's normal and a direction of length 1.
 double Facing(const Scene& scene, int facet, const Vector3& direction) {
   const Vector3 n = UnitOf(FacetNormal(scene, facet));
-  return std::abs(n.x * direction.x + n.y * direction.y + n.z * direction.z);
+  return std::abs(Dot(n, direction));
 }
 
 Vector3 OutOfFrame(const Vector3& v, const ViewFrame& f) {

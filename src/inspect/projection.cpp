@@ -9,6 +9,8 @@
 #include <iterator>
 #include <numbers>
 
+#include "base/vector_math.h"
+
 namespace truelux {
 namespace {
 
@@ -19,14 +21,6 @@ constexpr double kCubicAngle = 45 * kDegree;
 
 /// An arc that leaves its chord by less is drawn as a line [px].
 constexpr double kFlat = 0.003;
-
-double Dot3(const Vector3& a, const Vector3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-Vector3 Cross3(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /// s a + t b.
 Vector3 Mix(double s, const Vector3& a, double t, const Vector3& b) {
@@ -54,8 +48,8 @@ std::vector<Vector3> ClipToWall(const std::vector<Vector3>& polygon,
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector3& a = polygon[i];
     const Vector3& b = polygon[(i + 1) % polygon.size()];
-    const double at_a = Dot3(wall, a);
-    const double at_b = Dot3(wall, b);
+    const double at_a = Dot(wall, a);
+    const double at_b = Dot(wall, b);
     if (at_a >= 0) kept.push_back(a);
     if ((at_a < 0) != (at_b < 0)) {
       const double s = at_a / (at_a - at_b);
@@ -90,27 +84,18 @@ std::string_view Name(ViewProjection projection) {
   return projection == ViewProjection::kNusselt ? "nusselt" : "gnomonic";
 }
 
-Vector3 UnitOf(const Vector3& a) {
-  // Scaled first: a normal may have any length.
-  const double largest =
-      std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
-  const Vector3 b{a.x / largest, a.y / largest, a.z / largest};
-  const double length = std::sqrt(Dot3(b, b));
-  return {b.x / length, b.y / length, b.z / length};
-}
-
 ViewFrame FrameOf(const Vector3& normal) {
   constexpr double kTooNear = 0.9;
   ViewFrame frame;
   frame.ahead = UnitOf(normal);
   for (const Vector3& axis :
        {Vector3{0, 1, 0}, Vector3{0, 0, 1}, Vector3{1, 0, 0}}) {
-    const double along = Dot3(axis, frame.ahead);
+    const double along = Dot(axis, frame.ahead);
     if (std::abs(along) > kTooNear) continue;
     frame.up = UnitOf(Mix(1, axis, -along, frame.ahead));
     break;
   }
-  frame.right = Cross3(frame.ahead, frame.up);
+  frame.right = Cross(frame.ahead, frame.up);
   return frame;
 }
 

@@ -34,9 +34,6 @@ struct PicturePoint {
   double y = 0;
 };
 
-/// a / |a|.
-[[nodiscard]] Vector3 UnitOf(const Vector3& a);
-
 /// An orthonormal frame, as somebody at the receiver who looks along its normal
 /// sees it.
 struct ViewFrame {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/vector_math.h"
 #include "inspect/view_measure.h"
 #include "inspect/view_style.h"
 #include "inspect/view_titles.h"

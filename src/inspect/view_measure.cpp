@@ -5,22 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/vector_math.h"
+
 namespace truelux {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-double Dot3(const Vector3& a, const Vector3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-Vector3 Cross3(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-Vector3 Minus(const Vector3& a, const Vector3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
 
 const Vector3& DirectionOf(const WholeView& view, int vertex) {
   return view.vertices[static_cast<std::size_t>(vertex)].vertex.direction;
@@ -31,7 +21,8 @@ const Vector3& DirectionOf(const WholeView& view, int vertex) {
 double AngleOf(const Vector3& a, const Vector3& b, const Vector3& n,
                bool at_least_pi) {
   // a x (b - a) keeps the digits of a short arc.
-  const double angle = std::atan2(Dot3(Cross3(a, Minus(b, a)), n), Dot3(a, b));
+  const double angle =
+      std::atan2(Dot(Cross(a, Difference(b, a)), n), Dot(a, b));
   if (!at_least_pi) return std::abs(angle);
   return angle < 1 ? angle + 2 * kPi : angle;
 }
@@ -44,14 +35,14 @@ CircleArc Reversed(const CircleArc& arc) {
 
 /// Van Oosterom and Strackee, from differences of the corners.
 double SignedTriangle(const Vector3& a, const Vector3& b, const Vector3& c) {
-  const double volume = Dot3(a, Cross3(Minus(b, a), Minus(c, a)));
-  return 2 * std::atan2(volume, 1 + Dot3(a, b) + Dot3(b, c) + Dot3(c, a));
+  const double volume = Dot(a, Cross(Difference(b, a), Difference(c, a)));
+  return 2 * std::atan2(volume, 1 + Dot(a, b) + Dot(b, c) + Dot(c, a));
 }
 
 }  // namespace
 
 Vector3 InFrame(const Vector3& v, const ViewFrame& frame) {
-  return {Dot3(v, frame.right), Dot3(v, frame.up), Dot3(v, frame.ahead)};
+  return {Dot(v, frame.right), Dot(v, frame.up), Dot(v, frame.ahead)};
 }
 
 double AngleOfArc(const WholeView& view, const WholeViewArc& arc) {
@@ -69,7 +60,7 @@ CircleArc ArcInFrame(const WholeView& view, const WholeViewArc& arc,
   Vector3 start{1, 0, 0};  // of the whole horizon
   if (arc.from >= 0)
     start = UnitOf(InFrame(UnitOf(DirectionOf(view, arc.from)), frame));
-  const Vector3 side = Cross3(n, start);
+  const Vector3 side = Cross(n, start);
   return {start, {-side.x, -side.y, -side.z}, AngleOfArc(view, arc)};
 }
 
@@ -104,7 +95,7 @@ Vector3 MiddleOf(const std::vector<std::vector<CircleArc>>& border) {
   }
   // Of a border around most of the hemisphere any direction inside will do.
   constexpr double kNarrow = 0.3;
-  if (!(Dot3(sum, sum) > kNarrow * kNarrow * length * length)) return {0, 0, 1};
+  if (!(Dot(sum, sum) > kNarrow * kNarrow * length * length)) return {0, 0, 1};
   return UnitOf(sum);
 }
 

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/vector_math.h"
 #include "draw/label_layout.h"
 #include "draw/svg.h"
 #include "inspect/view_light.h"

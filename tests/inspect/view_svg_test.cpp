@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/vector_math.h"
 #include "inspect/view_json.h"
 #include "inspect/view_measure.h"
 #include "support/random_scene.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Feeds the reader of candidates with any bytes: irradiances, one column for
-// all channels, form factors. Rows and values belong together, and what is
+// all channels, form factors, gradients. Rows and values belong together, and what is
 // refused needs a reason.
 
 #include <cmath>
@@ -40,7 +40,9 @@ void Read(std::string_view bytes, const truelux::CandidateRules& rules) {
     return;
   }
   Require(!reader.channels().empty());
-  Require(reader.channels().size() == reader.value_names().size());
+  const bool is_gradient = reader.quantity() == truelux::Quantity::kGradient;
+  Require(reader.channels().size() * (is_gradient ? 3 : 1) ==
+          reader.value_names().size());
   truelux::CandidateRow row;
   for (;;) {
     defects.clear();
@@ -50,7 +52,8 @@ void Read(std::string_view bytes, const truelux::CandidateRules& rules) {
     if (status != Status::kRow) continue;
     Require(row.line > 0 && std::isfinite(row.receiver.position.x));
     for (std::size_t c = reader.channels().size(); c < row.values.size(); ++c)
-      Require(row.values[c] == 0);
+      Require(row.values[c] == 0 && row.gradient[c].x == 0);
+    if (is_gradient) Require(row.values[0] == 0);
   }
 }
 
@@ -63,5 +66,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   Read(bytes, {.is_grey = true});
   Read(bytes, {.channel = 1});
   Read(bytes, {.quantity = truelux::Quantity::kFormFactor});
+  Read(bytes, {.quantity = truelux::Quantity::kGradient, .is_grey = true});
   return 0;
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "truelux/irradiance.h"
 #include "truelux/version.h"
@@ -18,9 +19,12 @@
 #include "compare/candidate_report.h"
 #include "compare/candidates.h"
 #include "compare/compare_run.h"
+#include "compare/gradients/compare_gradients.h"
+#include "compare/gradients/gradient_report.h"
 #include "compare/load_candidate.h"
 #include "run/input_file.h"
 #include "run/interrupt.h"
+#include "run/messages.h"
 #include "run/output_file.h"
 #include "run/user_error.h"
 #include "scene/emitters.h"
@@ -36,6 +40,7 @@ struct CompareRequest {
   std::string output;               ///< path; "": standard output
   std::optional<std::string> json;  ///< path; "": standard output
   std::optional<std::size_t> channel;
+  std::optional<Quantity> quantity;  ///< nothing: what the columns say
   CompareOptions options;
 };
 
@@ -62,7 +67,11 @@ CompareRequest RequestOf(const CompareArguments& arguments) {
   request.options.tolerance = SizeValue("--tolerance", arguments.tolerance);
   request.options.truth.emission = EmissionOf(arguments.emission);
   request.options.threads = ThreadsOf(arguments.threads);
-  if (arguments.quantity == Name(Quantity::kFormFactor)) {
+  for (const Quantity quantity :
+       {Quantity::kIrradiance, Quantity::kFormFactor, Quantity::kGradient}) {
+    if (arguments.quantity == Name(quantity)) request.quantity = quantity;
+  }
+  if (request.quantity == Quantity::kFormFactor) {
     request.options.truth.quantity = Quantity::kFormFactor;
     if (request.options.truth.emission != Emission::kExitance) {
       throw UsageError(
@@ -80,21 +89,17 @@ OutputPaths OutputsOf(const CompareRequest& request) {
   return outputs;
 }
 
-/// The scene is read first, so that its defects are told first.
-CandidateReport Compare(const CompareRequest& request,
-                        const OutputPaths& outputs) {
-  const Scene scene = LoadScene(request.scene, outputs);
-  CheckInput(outputs, request.candidate);
-  InputFile file(request.candidate);
-  const CandidateRules rules = {request.options.truth.quantity, request.channel,
-                                IsGrey(scene)};
-  FaceWords faces(scene);
-  faces.SetUsual(OnFaceOf(request.on_face, faces));
-  CandidateData data = LoadCandidate(file, file.name(), rules, faces);
-  NoteFoundFaces(data.found);
-  NoteBehindFaces(Oracle(scene), data.receivers);
-  CandidateReport report =
-      CompareCandidate(scene, std::move(data), request.options);
+/// What is written.
+struct Texts {
+  std::string report;
+  std::string json;
+  bool passes = false;
+};
+
+/// A report with its names.
+template <class Report>
+Report Named(Report report, const CompareRequest& request,
+             const InputFile& file) {
   report.scene_name =
       std::filesystem::path(request.scene.path).filename().string();
   report.candidate_name =
@@ -102,6 +107,41 @@ CandidateReport Compare(const CompareRequest& request,
           ? file.name()
           : std::filesystem::path(request.candidate).filename().string();
   return report;
+}
+
+/// The scene is read first, so that its defects are told first.
+Texts Compare(const CompareRequest& request, const OutputPaths& outputs) {
+  const Scene scene = LoadScene(request.scene, outputs);
+  CheckInput(outputs, request.candidate);
+  InputFile file(request.candidate);
+  FaceWords faces(scene);
+  faces.SetUsual(OnFaceOf(request.on_face, faces));
+  LoadedCandidate candidate =
+      LoadCandidate(file, file.name(),
+                    {request.quantity, request.channel, IsGrey(scene)}, faces);
+  if (candidate.ignores_irradiance) {
+    PrintNote(
+        "the gradients are compared; --quantity irradiance compares the "
+        "table's irradiances");
+  }
+  const auto tell_faces = [&](const CandidateReceivers& receivers) {
+    NoteFoundFaces(receivers.found);
+    NoteBehindFaces(Oracle(scene), receivers.receivers);
+  };
+  if (auto* data = std::get_if<GradientData>(&candidate.data)) {
+    tell_faces(*data);
+    const GradientReport report =
+        Named(CompareGradients(scene, std::move(*data), request.options),
+              request, file);
+    return {GradientText(report), GradientJson(report, VersionText()),
+            report.passes()};
+  }
+  auto& data = std::get<CandidateData>(candidate.data);
+  tell_faces(data);
+  const CandidateReport report = Named(
+      CompareCandidate(scene, std::move(data), request.options), request, file);
+  return {CandidateText(report), CandidateJson(report, VersionText()),
+          report.passes()};
 }
 
 }  // namespace
@@ -115,20 +155,20 @@ ExitStatus RunCompare(const CompareArguments& arguments) {
   std::optional<OutputFile> json;
   if (request.json) json.emplace(*request.json);
 
-  const CandidateReport report = Compare(request, outputs);
+  const Texts texts = Compare(request, outputs);
   try {
-    text.Write(CandidateText(report));
+    text.Write(texts.report);
   } catch (const ReaderGone&) {
     // The exit status still tells how the comparison went.
   }
-  if (json) json->Write(CandidateJson(report, VersionText()));
+  if (json) json->Write(texts.json);
   // Names are given at the very end, when nothing can fail but the naming.
   text.Finish();
   if (json) json->Finish();
   StopIfInterrupted();
   text.Commit();
   if (json) json->Commit();
-  return report.passes() ? ExitStatus::kDone : ExitStatus::kComparisonFailed;
+  return texts.passes ? ExitStatus::kDone : ExitStatus::kComparisonFailed;
 }
 
 }  // namespace truelux

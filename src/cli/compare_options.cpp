@@ -20,17 +20,24 @@ constexpr const char* kCompareHelp =
     "included, with the values that another program found there: E_r,E_g,E_b\n"
     "[W/m^2], or one column E where the scene's three channels agree or\n"
     "--channel names one; with --quantity form-factor one column F. Further\n"
-    "columns are ignored, so that the output of truelux eval will do.\n"
+    "columns are ignored, so that the output of truelux eval will do. With\n"
+    "grad_r_x .. grad_b_z [W/m^3], or grad_x,grad_y,grad_z of one channel, as\n"
+    "truelux gradient writes them, gradients are compared.\n"
     "\n"
     "Prints a table of errors against the certified values, the ten worst\n"
     "receivers, each with what is hard about it, and, if a receiver fails,\n"
     "whether a classic mistake explains the candidate: a constant factor, Ke\n"
     "read as radiance, flipped normals, emission from both sides or from the\n"
     "wrong one, no clipping at the horizon, an object left out, no shadows;\n"
-    "or unbiased noise.\n"
+    "or unbiased noise. Of gradients: the wrong sign or unit of length, the\n"
+    "unshadowed irradiance's, visibility taken as constant, the source's "
+    "depth\n"
+    "for a blocker's edge, differences across a kink.\n"
     "\n"
     "A receiver fails if |value - E| > T E in some channel or, where E = 0,\n"
-    "if |value| > T times the largest E of the table; nan always fails.\n";
+    "if |value| > T times the largest E of the table; nan always fails.\n"
+    "Gradients likewise, by the lengths of vectors; at a kink the nearest of\n"
+    "the gradients there counts, and where E is discontinuous none does.\n";
 
 constexpr const char* kExamples =
     "Examples:\n"
@@ -59,11 +66,12 @@ std::vector<OptionRow> OptionsOf(CompareArguments& arguments) {
        .help = "the same facts; - is standard output, if -o is not"},
       {.name = "--quantity",
        .target = &arguments.quantity,
-       .help = "what the values are: irradiance, or form-factor, the "
-               "irradiance\n"
-               "if every face that emits had M = 1",
-       .show_default = true,
-       .choices = {Name(Quantity::kIrradiance), Name(Quantity::kFormFactor)}},
+       .help = "what the values are: irradiance; gradient; or form-factor, "
+               "the\n"
+               "irradiance if every face that emits had M = 1; by default\n"
+               "gradient if the table has such columns, else irradiance",
+       .choices = {Name(Quantity::kIrradiance), Name(Quantity::kGradient),
+                   Name(Quantity::kFormFactor)}},
       {.name = "--channel",
        .target = &arguments.channel,
        .value = "r|g|b",
@@ -82,7 +90,6 @@ std::vector<OptionRow> OptionsOf(CompareArguments& arguments) {
 
 Command CompareCommand() {
   const auto arguments = std::make_shared<CompareArguments>();
-  arguments->quantity = Name(Quantity::kIrradiance);
   arguments->tolerance = "1e-6";
   return {.name = "compare",
           .summary = kDescription,

@@ -14,21 +14,15 @@
 #include <vector>
 
 #include "truelux/geometry.h"
-#include "truelux/receiver.h"
 
+#include "compare/candidate_receivers.h"
 #include "explain/value_error.h"
-#include "text/face_choice.h"
 
 namespace truelux {
 
 /// A candidate beside the certified truth. Values and truth of a receiver hold
 /// the compared channels first; the other entries are 0 in both.
-struct CandidateData {
-  std::vector<std::string> value_names;  ///< of the compared channels: "E_r"
-  std::vector<std::size_t> channels;     ///< which channels of the scene
-  std::vector<Receiver> receivers;
-  FoundFaces found;        ///< how faces of the receivers were found
-  std::vector<int> lines;  ///< of the receivers in the candidate's table
+struct CandidateData : CandidateReceivers {
   std::vector<Rgb> values;
   std::vector<Rgb> truth;
 

@@ -1,49 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-#include <nlohmann/json.hpp>
-
 #include "compare/candidate_report.h"
-#include "explain/edge_text.h"
-#include "text/results.h"
+#include "compare/report_json.h"
 
 namespace truelux {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// JSON has no word for numbers that are not finite.
-Json NumberJson(double value) {
-  if (std::isfinite(value)) return value;
-  std::string text;
-  AppendNumber(text, value);
-  return text;
-}
 
 Json ChannelsJson(const Rgb& values, std::size_t channels) {
   Json json = Json::array();
   for (std::size_t c = 0; c < channels; ++c)
     json.push_back(NumberJson(values[c]));
-  return json;
-}
-
-Json TripleJson(double x, double y, double z) {
-  return Json::array({x, y, z});
-}
-
-Json EdgeJson(const Scene& scene, const SeenEdge& edge) {
-  Json json;
-  json["face"] = edge.face;
-  if (edge.a >= 0) {
-    Json ends = Json::array();
-    for (const int v : {edge.a, edge.b}) {
-      const Point3& p = scene.vertices()[static_cast<std::size_t>(v)];
-      ends.push_back(TripleJson(p.x, p.y, p.z));
-    }
-    json["ends"] = std::move(ends);
-  } else {
-    json["other_face"] = edge.other_face;
-  }
-  json["text"] = TextOf(scene, edge);
   return json;
 }
 
@@ -79,39 +44,6 @@ Json SummaryJson(const CandidateSummary& s) {
   return json;
 }
 
-Json ReasonJson(const Scene& scene, const ReceiverDetail& detail) {
-  const ReceiverTraits& t = detail.traits;
-  Json json;
-  json["text"] = SummaryOf(detail);
-  json["lighting"] = Name(t.lighting);
-  json["sources"] = t.sources;
-  json["arcs"] = t.arcs;
-  json["horizon_arcs"] = t.horizon_arcs;
-  json["extent"] = t.extent;
-  json["width"] = t.width;
-  json["shortest_arc"] = t.shortest_arc;
-  json["highest"] = t.highest;
-  json["lowest"] = t.lowest ? Json(*t.lowest) : Json(nullptr);
-  json["cancellation"] = t.cancellation;
-  Json conjunctions = Json::array();
-  for (const MeetingEdges& meeting : detail.meetings) {
-    Json edges = Json::array();
-    for (const SeenEdge& edge : meeting.edges)
-      edges.push_back(EdgeJson(scene, edge));
-    conjunctions.push_back({{"planes", meeting.planes},
-                            {"on_horizon", meeting.on_horizon},
-                            {"edges", std::move(edges)}});
-  }
-  json["conjunctions"] = std::move(conjunctions);
-  json["near_conjunction"] = nullptr;
-  if (detail.nearest) {
-    json["near_conjunction"] = {
-        {"angle", detail.nearest->angle},
-        {"edge", EdgeJson(scene, detail.nearest->edge)}};
-  }
-  return json;
-}
-
 Json WorstJson(const CandidateReport& report, const WorstCandidate& worst) {
   const std::size_t i = worst.receiver;
   const CandidateError& e = report.errors[i];
@@ -131,42 +63,14 @@ Json WorstJson(const CandidateReport& report, const WorstCandidate& worst) {
   return json;
 }
 
-Json FitJson(const MistakeFit& fit) {
-  return {{"receivers_disputed", fit.disputed},
-          {"median_error_before", NumberJson(fit.median_before)},
-          {"median_error_after", NumberJson(fit.median_after)},
-          {"passing_before", fit.passing_before},
-          {"passing_after", fit.passing_after}};
-}
-
-Json DiagnosisJson(const CandidateReport& report) {
-  const Diagnosis& d = report.diagnosis;
-  Json json;
-  json["verdict"] = Name(d.verdict);
-  json["mistake"] = d.mistake.empty() ? Json(nullptr) : Json(d.mistake);
-  json["text"] = d.text;
-  json["factor"] = d.factor ? Json(*d.factor) : Json(nullptr);
-  json["fit"] = d.fit ? FitJson(*d.fit) : Json(nullptr);
-  json["equally_explained"] = d.equally;
-  json["noise"] = nullptr;
-  if (d.noise) {
-    json["noise"] = {{"receivers", d.noise->receivers},
-                     {"size", NumberJson(d.noise->size)},
-                     {"signed_mean", NumberJson(d.noise->bias)},
-                     {"standard_error", NumberJson(d.noise->standard_error)},
-                     {"looks_unbiased", d.noise->looks_unbiased}};
-  }
-  json["receivers_tried"] = d.receivers;
-  json["mistakes_tried"] = d.tried;
-  json["notes"] = d.notes;
+Json ClassesJson(const CandidateReport& report) {
   Json classes = Json::array();
   for (const FailureClass& c : FailureClasses(report.classified)) {
     classes.push_back({{"class", c.name},
                        {"receivers", c.receivers},
                        {"failing", c.failing}});
   }
-  json["classes"] = std::move(classes);
-  return json;
+  return classes;
 }
 
 }  // namespace
@@ -186,7 +90,8 @@ std::string CandidateJson(const CandidateReport& report,
   json["worst"] = Json::array();
   for (const WorstCandidate& worst : report.worst)
     json["worst"].push_back(WorstJson(report, worst));
-  json["diagnosis"] = DiagnosisJson(report);
+  json["diagnosis"] = DiagnosisJson(report.diagnosis);
+  json["diagnosis"]["classes"] = ClassesJson(report);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -156,7 +156,15 @@ class CandidateWriter {
 }  // namespace
 
 std::string_view Name(Quantity quantity) {
-  return quantity == Quantity::kFormFactor ? "form-factor" : "irradiance";
+  switch (quantity) {
+    case Quantity::kIrradiance:
+      break;
+    case Quantity::kFormFactor:
+      return "form-factor";
+    case Quantity::kGradient:
+      return "gradient";
+  }
+  return "irradiance";
 }
 
 std::string CandidateText(const CandidateReport& report) {

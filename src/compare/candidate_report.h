@@ -46,7 +46,7 @@ struct CandidateReport {
 /// How many of the worst receivers are shown.
 inline constexpr std::size_t kMostWorstCandidates = 10;
 
-/// "irradiance" or "form-factor".
+/// "irradiance", "form-factor" or "gradient".
 [[nodiscard]] std::string_view Name(Quantity quantity);
 
 /// Lines of text, the last one ended.

@@ -30,8 +30,18 @@ std::optional<double> ParseValue(std::string_view text) {
   return negative ? -kInfinity : kInfinity;
 }
 
+constexpr std::array<std::string_view, 3> kAxisNames = {"x", "y", "z"};
+constexpr std::array kAxes = {&Vector3::x, &Vector3::y, &Vector3::z};
+
 std::string ColumnOf(std::size_t channel) {
   return fmt::format("E_{}", kChannelNames[channel]);
+}
+
+/// "grad_r_x", or "grad_x" of the only channel.
+std::string GradientColumnOf(std::optional<std::size_t> channel,
+                             std::size_t axis) {
+  if (!channel) return fmt::format("grad_{}", kAxisNames[axis]);
+  return fmt::format("grad_{}_{}", kChannelNames[*channel], kAxisNames[axis]);
 }
 
 }  // namespace
@@ -55,10 +65,18 @@ bool CandidateReader::ReadHeader(std::vector<Diagnostic>& defects) {
 
 void CandidateReader::FindValues(std::vector<Diagnostic>& defects) {
   const ColumnNames names(csv_, record_);
-  if (rules_.quantity == Quantity::kFormFactor) {
-    FindFormFactor(names, defects);
-  } else {
-    FindIrradiance(names, defects);
+  quantity_ = rules_.quantity.value_or(
+      HasGradient(names) ? Quantity::kGradient : Quantity::kIrradiance);
+  switch (quantity_) {
+    case Quantity::kFormFactor:
+      FindFormFactor(names, defects);
+      break;
+    case Quantity::kGradient:
+      FindGradient(names, defects);
+      break;
+    case Quantity::kIrradiance:
+      FindIrradiance(names, defects);
+      break;
   }
 }
 
@@ -80,8 +98,7 @@ void CandidateReader::FindIrradiance(const ColumnNames& names,
     defects.push_back(csv_.Error(record_.line(column), std::move(message)));
   };
   const std::optional<std::size_t> single = names.Find("E", defects);
-  std::vector<std::size_t> wanted = {0, 1, 2};
-  if (rules_.channel) wanted = {*rules_.channel};
+  const std::vector<std::size_t> wanted = WantedChannels();
   std::vector<std::string> missing;
   bool any = false;
   for (std::size_t channel = 0; channel < kChannelNames.size(); ++channel) {
@@ -116,11 +133,100 @@ void CandidateReader::FindIrradiance(const ColumnNames& names,
   }
 }
 
+/// Whether some column is one of a gradient.
+bool CandidateReader::HasGradient(const ColumnNames& names) {
+  std::vector<Diagnostic> not_told;
+  for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
+    if (names.Find(GradientColumnOf({}, axis), not_told)) return true;
+    for (std::size_t channel = 0; channel < kChannelNames.size(); ++channel) {
+      if (names.Find(GradientColumnOf(channel, axis), not_told)) return true;
+    }
+  }
+  return false;
+}
+
+void CandidateReader::FindGradient(const ColumnNames& names,
+                                   std::vector<Diagnostic>& defects) {
+  std::vector<std::string> missing;
+  std::optional<std::size_t> single;
+  for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
+    const auto column = names.Find(GradientColumnOf({}, axis), defects);
+    if (!single) single = column;
+    if (column) {
+      UseColumn(rules_.channel.value_or(0), *column,
+                GradientColumnOf({}, axis));
+    } else {
+      missing.push_back(GradientColumnOf({}, axis));
+    }
+  }
+  if (single && !rules_.channel && !rules_.is_grey) {
+    defects.push_back(csv_.Error(
+        record_.line(*single),
+        "columns 'grad_x', 'grad_y' and 'grad_z' could be any channel, and the "
+        "scene's differ; say which by --channel r, g or b, or give grad_r_x .. "
+        "grad_b_z"));
+  }
+  if (!single) {
+    missing.clear();
+    for (const std::size_t channel : WantedChannels()) {
+      for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
+        std::string name = GradientColumnOf(channel, axis);
+        if (const auto column = names.Find(name, defects))
+          UseColumn(channel, *column, std::move(name));
+        else
+          missing.push_back(std::move(name));
+      }
+    }
+  }
+  if (missing.empty()) {
+    ignores_irradiance_ = HasIrradiance(names);
+    return;
+  }
+  defects.push_back(csv_.Error(
+      record_.line(0),
+      fmt::format("the header lacks the column{} {}; expected the candidate's "
+                  "grad_r_x .. grad_b_z, or grad_x,grad_y,grad_z",
+                  missing.size() == 1 ? "" : "s", fmt::join(missing, ", "))));
+}
+
+/// Whether some column is one of irradiances.
+bool CandidateReader::HasIrradiance(const ColumnNames& names) {
+  std::vector<Diagnostic> not_told;
+  if (names.Find("E", not_told)) return true;
+  for (std::size_t channel = 0; channel < kChannelNames.size(); ++channel) {
+    if (names.Find(ColumnOf(channel), not_told)) return true;
+  }
+  return false;
+}
+
+std::vector<std::size_t> CandidateReader::WantedChannels() const {
+  if (rules_.channel) return {*rules_.channel};
+  return {0, 1, 2};
+}
+
 void CandidateReader::UseColumn(std::size_t channel, std::size_t column,
                                 std::string name) {
-  channels_.push_back(channel);
+  if (channels_.empty() || channels_.back() != channel)
+    channels_.push_back(channel);
   value_columns_.push_back(column);
   value_names_.push_back(std::move(name));
+}
+
+/// What stands in a column of values; 0 and a defect if that is no number.
+double CandidateReader::ValueAt(std::size_t i,
+                                std::vector<Diagnostic>& defects) {
+  const std::string text = record_.Value(value_columns_[i]);
+  if (quantity_ == Quantity::kGradient && TrimBlanks(text).empty())
+    return std::numeric_limits<double>::quiet_NaN();
+  const std::optional<double> value = ParseValue(text);
+  if (!value) {
+    defects.push_back(csv_.Error(
+        record_.line(value_columns_[i]),
+        fmt::format("{}: {} is not a number; expected a decimal number in "
+                    "the range of binary64, inf or nan",
+                    value_names_[i], Quoted(text))));
+  }
+  return value.value_or(0);
 }
 
 CandidateReader::Status CandidateReader::Next(
@@ -132,17 +238,13 @@ CandidateReader::Status CandidateReader::Next(
       columns_.Parse(csv_, record_, defects);
   if (!columns_.HasAllFields(record_)) return Status::kDefect;
   row.values = {};
+  row.gradient = {};
   for (std::size_t i = 0; i < value_columns_.size(); ++i) {
-    const std::string text = record_.Value(value_columns_[i]);
-    const std::optional<double> value = ParseValue(text);
-    if (!value) {
-      defects.push_back(csv_.Error(
-          record_.line(value_columns_[i]),
-          fmt::format("{}: {} is not a number; expected a decimal number in "
-                      "the range of binary64, inf or nan",
-                      value_names_[i], Quoted(text))));
-    }
-    row.values[i] = value.value_or(0);
+    const double value = ValueAt(i, defects);
+    if (quantity_ == Quantity::kGradient)
+      row.gradient[i / kAxes.size()].*kAxes[i % kAxes.size()] = value;
+    else
+      row.values[i] = value;
   }
   if (defects.size() != defects_before) return Status::kDefect;
   row.receiver = fields->receiver;

@@ -4,6 +4,7 @@
 #ifndef TRUELUX_COMPARE_CANDIDATES_H_
 #define TRUELUX_COMPARE_CANDIDATES_H_
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -25,18 +26,24 @@ namespace truelux {
 enum class Quantity {
   kIrradiance,  ///< E [W/m^2]: columns E_r, E_g, E_b, or one column E
   kFormFactor,  ///< F [1]: one column F, E with M = 1 on every face that emits
+  kGradient,    ///< dE/dr with the normal fixed [W/m^3]: columns grad_r_x ..
+                ///< grad_b_z, or for one channel grad_x, grad_y, grad_z
 };
+
+/// dE/dr of up to three channels [W/m^3].
+using GradientRow = std::array<Vector3, 3>;
 
 /// "r", "g", "b".
 [[nodiscard]] std::string_view ChannelName(std::size_t channel);
 
 /// What is asked about a candidate, and what its scene allows.
 struct CandidateRules {
-  Quantity quantity = Quantity::kIrradiance;
+  /// Nothing: gradients if the table has a column of theirs, else irradiances.
+  std::optional<Quantity> quantity{};
   /// The only channel that is compared, if one is named.
   std::optional<std::size_t> channel{};
   /// All faces of the scene emit the same in red, green and blue, so that a
-  /// column E needs no channel.
+  /// column E, or grad_x, needs no channel.
   bool is_grey = false;
 };
 
@@ -45,12 +52,14 @@ struct CandidateRow {
   Receiver receiver;  ///< without a face that has to be searched for
   FaceChoice face;    ///< for SetFace
   Rgb values{};       ///< entry c for CandidateReader::channels()[c], others 0
-  int line = 0;       ///< on which it begins in the table, from 1
+  GradientRow gradient{};  ///< likewise; one of the two is filled
+  int line = 0;            ///< on which it begins in the table, from 1
 };
 
 /// Reads a candidate: the columns of a receivers table and those of the
 /// values; all others, bound_* among them, are ignored. Values are decimal
-/// numbers, or inf, infinity or nan with any sign and in any case.
+/// numbers, or inf, infinity or nan with any sign and in any case. A gradient's
+/// component may be empty, as where there is none, and is then nan.
 class CandidateReader {
  public:
   using Status = RowStatus;
@@ -64,13 +73,19 @@ class CandidateReader {
   /// not say which values are meant.
   bool ReadHeader(std::vector<Diagnostic>& defects);
 
+  /// What the values are.
+  [[nodiscard]] Quantity quantity() const { return quantity_; }
+
+  /// Whether the table also has columns of irradiances, which are not compared.
+  [[nodiscard]] bool ignores_irradiance() const { return ignores_irradiance_; }
+
   /// The channels that are compared, from 0; only the first if the quantity is
   /// kFormFactor, or if a column E holds what is the same for all.
   [[nodiscard]] const std::vector<std::size_t>& channels() const {
     return channels_;
   }
 
-  /// The names of the columns with the values, one per channel.
+  /// The names of the columns with the values: one per channel, or three.
   [[nodiscard]] const std::vector<std::string>& value_names() const {
     return value_names_;
   }
@@ -84,12 +99,19 @@ class CandidateReader {
                       std::vector<Diagnostic>& defects);
   void FindIrradiance(const ColumnNames& names,
                       std::vector<Diagnostic>& defects);
+  void FindGradient(const ColumnNames& names, std::vector<Diagnostic>& defects);
+  [[nodiscard]] static bool HasGradient(const ColumnNames& names);
+  [[nodiscard]] static bool HasIrradiance(const ColumnNames& names);
+  [[nodiscard]] std::vector<std::size_t> WantedChannels() const;
   void UseColumn(std::size_t channel, std::size_t column, std::string name);
+  [[nodiscard]] double ValueAt(std::size_t i, std::vector<Diagnostic>& defects);
 
   CsvReader csv_;
   CsvRecord record_;
   ReceiverColumns columns_;
   CandidateRules rules_;
+  Quantity quantity_ = Quantity::kIrradiance;
+  bool ignores_irradiance_ = false;
   std::vector<std::size_t> channels_;
   std::vector<std::string> value_names_;
   std::vector<std::size_t> value_columns_;

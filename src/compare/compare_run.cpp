@@ -19,18 +19,6 @@
 namespace truelux {
 namespace {
 
-std::vector<Rgb> IrradiancesOf(const Oracle& oracle,
-                               std::span<const Receiver> receivers,
-                               int threads) {
-  std::vector<Rgb> values(receivers.size());
-  Progress progress(receivers.size());
-  EvaluateInParallel(oracle, receivers, threads, progress,
-                     [&](std::size_t i, const Irradiance& irradiance) {
-                       values[i] = irradiance.value;
-                     });
-  return values;
-}
-
 void FindWorst(const DetailFinder& finder, int threads,
                CandidateReport& report) {
   for (const std::size_t i : WorstOf(report.errors, kMostWorstCandidates))
@@ -84,6 +72,18 @@ void FindReasons(const CompareOptions& options, CandidateReport& report) {
 }
 
 }  // namespace
+
+std::vector<Rgb> IrradiancesOf(const Oracle& oracle,
+                               std::span<const Receiver> receivers,
+                               int threads) {
+  std::vector<Rgb> values(receivers.size());
+  Progress progress(receivers.size());
+  EvaluateInParallel(oracle, receivers, threads, progress,
+                     [&](std::size_t i, const Irradiance& irradiance) {
+                       values[i] = irradiance.value;
+                     });
+  return values;
+}
 
 CandidateReport CompareCandidate(const Scene& scene, CandidateData data,
                                  const CompareOptions& options) {

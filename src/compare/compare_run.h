@@ -4,6 +4,11 @@
 #ifndef TRUELUX_COMPARE_COMPARE_RUN_H_
 #define TRUELUX_COMPARE_COMPARE_RUN_H_
 
+#include <span>
+#include <vector>
+
+#include "truelux/irradiance.h"
+#include "truelux/receiver.h"
 #include "truelux/scene.h"
 
 #include "compare/candidate_errors.h"
@@ -18,6 +23,10 @@ struct CompareOptions {
   double tolerance = 0;  ///< the largest relative error that passes
   int threads = 1;
 };
+
+/// The irradiances at some receivers, spread over threads. Throws Interruption.
+[[nodiscard]] std::vector<Rgb> IrradiancesOf(
+    const Oracle& oracle, std::span<const Receiver> receivers, int threads);
 
 /// Finds the truth, the errors, the worst receivers and, if a receiver fails,
 /// the reason. scene: as it was read. data: without the truth, see

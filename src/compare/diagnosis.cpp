@@ -7,17 +7,14 @@
 #include <optional>
 #include <utility>
 
+#include "compare/explanation.h"
 #include "compare/mistakes.h"
 #include "text/number_text.h"
 
 namespace truelux {
 namespace {
 
-/// A hypothesis that explains the candidate, and how well.
-struct Explanation {
-  Hypothesis hypothesis;
-  MistakeFit fit;
-};
+using ValueExplanation = Explanation<Hypothesis>;
 
 /// That the receivers are what is wrong. Has no mistake's name.
 std::optional<Hypothesis> OnFaces(const MistakeTrial& trial) {
@@ -30,9 +27,10 @@ std::optional<Hypothesis> OnFaces(const MistakeTrial& trial) {
       .predicted = std::move(*predicted)};
 }
 
-std::vector<Explanation> ExplanationsOf(MistakeTrial& trial, double tolerance,
-                                        std::vector<std::string>& tried) {
-  std::vector<Explanation> explanations;
+std::vector<ValueExplanation> ExplanationsOf(MistakeTrial& trial,
+                                             double tolerance,
+                                             std::vector<std::string>& tried) {
+  std::vector<ValueExplanation> explanations;
   // No mistake, and before all that predict the same.
   if (std::optional<Hypothesis> on_faces = OnFaces(trial)) {
     const MistakeFit fit = FitOf(trial.data(), *on_faces, tolerance);
@@ -51,50 +49,11 @@ std::vector<Explanation> ExplanationsOf(MistakeTrial& trial, double tolerance,
   return explanations;
 }
 
-std::string HowWell(const MistakeFit& fit) {
-  const std::string passing =
-      fit.passing_after == fit.receivers
-          ? fmt::format("all {} receivers tried pass", fit.receivers)
-          : fmt::format("{} of {} receivers tried pass", fit.passing_after,
-                        fit.receivers);
-  return fmt::format(
-      "where that makes a difference ({} of {} receivers tried), the median "
-      "error falls from {} to {}; with it {}, without it {}",
-      fit.disputed, fit.receivers, ScientificText(fit.median_before, 1),
-      ScientificText(fit.median_after, 1), passing, fit.passing_before);
-}
-
 std::string NoiseText(const NoiseTraits& noise) {
   return fmt::format("mean signed error {}{} +- {} over {} lit receivers",
                      noise.bias < 0 ? "-" : "+",
                      ScientificText(std::abs(noise.bias), 1),
                      ScientificText(noise.standard_error, 1), noise.receivers);
-}
-
-void NameExplanation(std::vector<Explanation> explanations,
-                     Diagnosis& diagnosis) {
-  const auto best = std::ranges::min_element(
-      explanations, {}, [](const Explanation& e) { return e.fit.loss_after; });
-  // The first of those that cannot be told apart.
-  const auto named =
-      std::ranges::find_if(explanations, [&](const Explanation& e) {
-        return PredictTheSame(e.hypothesis, best->hypothesis);
-      });
-  for (const Explanation& e : explanations) {
-    // Receivers off their faces are nobody's mistake.
-    if (named->hypothesis.mistake.empty()) break;
-    if (&e != &*named && PredictTheSame(e.hypothesis, named->hypothesis))
-      diagnosis.equally.push_back(e.hypothesis.sentence);
-  }
-  diagnosis.mistake = named->hypothesis.mistake;
-  diagnosis.verdict =
-      diagnosis.mistake.empty() ? Verdict::kOffFaces : Verdict::kMistake;
-  diagnosis.factor = named->hypothesis.factor;
-  diagnosis.fit = named->fit;
-  diagnosis.text = fmt::format(
-      "{}: {}; {}",
-      diagnosis.mistake.empty() ? Name(diagnosis.verdict) : diagnosis.mistake,
-      named->hypothesis.sentence, HowWell(named->fit));
 }
 
 double MeanRelativeError(const Rgb& value, const Rgb& truth) {
@@ -202,11 +161,11 @@ Diagnosis Diagnose(const Scene& scene, const CandidateData& data,
       SomeOf(data, TrialReceivers(errors, kMostTrialReceivers));
   diagnosis.receivers = sample.receivers.size();
   MistakeTrial trial(scene, sample, options, evaluate);
-  std::vector<Explanation> explanations =
+  std::vector<ValueExplanation> explanations =
       ExplanationsOf(trial, tolerance, diagnosis.tried);
   diagnosis.notes = trial.notes;
   if (!explanations.empty()) {
-    NameExplanation(std::move(explanations), diagnosis);
+    NameExplanation<Hypothesis>(explanations, diagnosis);
     return diagnosis;
   }
   if (diagnosis.noise && diagnosis.noise->looks_unbiased) {

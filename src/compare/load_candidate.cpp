@@ -2,6 +2,7 @@
 #include "compare/load_candidate.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "truelux/diagnostics.h"
@@ -12,28 +13,37 @@
 
 namespace truelux {
 
-CandidateData LoadCandidate(ByteSource& source, const std::string& name,
-                            const CandidateRules& rules, FaceWords& faces) {
+LoadedCandidate LoadCandidate(ByteSource& source, const std::string& name,
+                              const CandidateRules& rules, FaceWords& faces) {
   CandidateReader reader(source, name, rules, faces);
-  CandidateData data;
+  CandidateReceivers rows;
+  std::vector<Rgb> values;
+  std::vector<GradientRow> gradients;
   std::vector<FaceChoice> choices;
   const DiagnosticList defects =
       ReadRows<CandidateRow>(reader, name, [&](const CandidateRow& row) {
-        data.receivers.push_back(row.receiver);
+        rows.receivers.push_back(row.receiver);
         choices.push_back(row.face);
-        data.lines.push_back(row.line);
-        data.values.push_back(row.values);
+        rows.lines.push_back(row.line);
+        if (reader.quantity() == Quantity::kGradient)
+          gradients.push_back(row.gradient);
+        else
+          values.push_back(row.values);
       });
   if (defects.has_errors()) throw UserError(defects.Sorted());
-  if (data.receivers.empty()) {
+  if (rows.receivers.empty()) {
     throw UserError({Diagnostic{Severity::kError, name, 0,
                                 "no receivers: the table has only a header"}});
   }
   for (std::size_t i = 0; i < choices.size(); ++i)
-    SetFace(faces.scene(), choices[i], data.receivers[i], data.found);
-  data.channels = reader.channels();
-  data.value_names = reader.value_names();
-  return data;
+    SetFace(faces.scene(), choices[i], rows.receivers[i], rows.found);
+  rows.channels = reader.channels();
+  rows.value_names = reader.value_names();
+  if (reader.quantity() == Quantity::kGradient) {
+    return {GradientData{std::move(rows), std::move(gradients), {}},
+            reader.ignores_irradiance()};
+  }
+  return {CandidateData{std::move(rows), std::move(values), {}}, false};
 }
 
 }  // namespace truelux

@@ -4,19 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <numeric>
 #include <vector>
 
+#include "text/number_text.h"
 #include "text/quantile.h"
 
 namespace truelux {
 namespace {
-
-/// A disputed prediction differs from the truth by more than rounding.
-constexpr double kRoundingOfSums = 1e-12;
-/// .. and by more than so many times the noise.
-constexpr double kNoiseTimes = 3;
 
 /// Where darkness is predicted, so much of the truth passes for it.
 constexpr double kDark = 1e-9;
@@ -124,37 +121,28 @@ bool MistakeFit::Explains(bool is_factor) const {
          loss_after < loss_before;
 }
 
-MistakeFit FitOf(const CandidateData& data, const Hypothesis& hypothesis,
-                 double tolerance) {
-  const std::vector<FitValue> values =
-      ValuesOf(data, hypothesis.predicted, hypothesis.factor);
-  const double threshold =
-      std::max(kRoundingOfSums, kNoiseTimes * NoiseOf(values));
+MistakeFit FitOfDistances(std::span<const FitDistance> distances,
+                          std::size_t receivers) {
   std::vector<double> before;
   std::vector<double> after;
   std::vector<double> disputed_before;
   std::vector<double> disputed_after;
   MistakeFit fit;
-  std::size_t last = data.values.size();
+  std::optional<std::size_t> last;
   double disputed_loss_before = 0;
   double disputed_loss_after = 0;
-  for (const FitValue& v : values) {
-    const double from_truth = v.FromTruth();
-    const double from_predicted = v.FromPredicted();
-    before.push_back(SquareAtMostOne(from_truth));
-    after.push_back(SquareAtMostOne(from_predicted));
-    const bool disputed = hypothesis.factor ? v.truth > 0
-                                            : std::abs(v.predicted - v.truth) >
-                                                  threshold * v.scale;
-    if (!disputed) continue;
-    if (v.receiver != last) ++fit.disputed;
-    last = v.receiver;
-    disputed_before.push_back(from_truth);
-    disputed_after.push_back(from_predicted);
+  for (const FitDistance& d : distances) {
+    before.push_back(SquareAtMostOne(d.from_truth));
+    after.push_back(SquareAtMostOne(d.from_predicted));
+    if (!d.is_disputed) continue;
+    if (d.receiver != last) ++fit.disputed;
+    last = d.receiver;
+    disputed_before.push_back(d.from_truth);
+    disputed_after.push_back(d.from_predicted);
     disputed_loss_before += before.back();
     disputed_loss_after += after.back();
   }
-  fit.receivers = data.values.size();
+  fit.receivers = receivers;
   fit.loss_before = MeanOf(before);
   fit.loss_after = MeanOf(after);
   if (!disputed_before.empty()) {
@@ -164,6 +152,38 @@ MistakeFit FitOf(const CandidateData& data, const Hypothesis& hypothesis,
     fit.disputed_loss_before = disputed_loss_before / count;
     fit.disputed_loss_after = disputed_loss_after / count;
   }
+  return fit;
+}
+
+std::string TextOf(const MistakeFit& fit) {
+  const std::string passing =
+      fit.passing_after == fit.receivers
+          ? fmt::format("all {} receivers tried pass", fit.receivers)
+          : fmt::format("{} of {} receivers tried pass", fit.passing_after,
+                        fit.receivers);
+  return fmt::format(
+      "where that makes a difference ({} of {} receivers tried), the median "
+      "error falls from {} to {}; with it {}, without it {}",
+      fit.disputed, fit.receivers, ScientificText(fit.median_before, 1),
+      ScientificText(fit.median_after, 1), passing, fit.passing_before);
+}
+
+MistakeFit FitOf(const CandidateData& data, const Hypothesis& hypothesis,
+                 double tolerance) {
+  const std::vector<FitValue> values =
+      ValuesOf(data, hypothesis.predicted, hypothesis.factor);
+  const double threshold =
+      std::max(kRoundingOfSums, kNoiseTimes * NoiseOf(values));
+  std::vector<FitDistance> distances;
+  for (const FitValue& v : values) {
+    const bool is_disputed =
+        hypothesis.factor
+            ? v.truth > 0
+            : std::abs(v.predicted - v.truth) > threshold * v.scale;
+    distances.push_back(
+        {v.receiver, v.FromTruth(), v.FromPredicted(), is_disputed});
+  }
+  MistakeFit fit = FitOfDistances(distances, data.values.size());
   fit.passing_before = Passing(data, data.truth, tolerance);
   fit.passing_after = Passing(data, hypothesis.predicted, tolerance);
   return fit;

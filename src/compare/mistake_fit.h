@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "truelux/geometry.h"
 
@@ -14,6 +15,20 @@
 #include "compare/mistake_trial.h"
 
 namespace truelux {
+
+/// What a fit knows of one value.
+struct FitDistance {
+  std::size_t receiver = 0;
+  double from_truth = 0;  ///< relative
+  double from_predicted = 0;
+  bool is_disputed = false;
+};
+
+/// A disputed prediction differs from the truth by more than rounding, relative
+/// to them, ..
+inline constexpr double kRoundingOfSums = 1e-12;
+/// .. and by more than so many times the candidate's noise.
+inline constexpr double kNoiseTimes = 3;
 
 /// The distance of a candidate's value from the truth is measured by the
 /// larger of truth and prediction, in absolute value (where both are 0, by the
@@ -48,6 +63,14 @@ struct MistakeFit {
   /// most. For a factor, which noise may blur more: to a half.
   [[nodiscard]] bool Explains(bool is_factor) const;
 };
+
+/// The fit of values by their distances; passing_before and passing_after are
+/// left 0. receivers: how many were tried.
+[[nodiscard]] MistakeFit FitOfDistances(std::span<const FitDistance> distances,
+                                        std::size_t receivers);
+
+/// How well a mistake explains a candidate, in words.
+[[nodiscard]] std::string TextOf(const MistakeFit& fit);
 
 [[nodiscard]] MistakeFit FitOf(const CandidateData& data,
                                const Hypothesis& hypothesis, double tolerance);

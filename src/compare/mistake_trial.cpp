@@ -5,10 +5,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "scene/scene_access.h"
 #include "scene/scene_variants.h"
 #include "text/evenly_picked.h"
-#include "visibility/contour.h"
 
 namespace truelux {
 namespace {
@@ -24,7 +22,11 @@ Receiver FlippedReceiver(Receiver receiver) {
 MistakeTrial::MistakeTrial(const Scene& scene, const CandidateData& data,
                            const TruthOptions& options,
                            const SceneEvaluator& evaluate)
-    : scene_(scene), data_(data), options_(options), evaluate_(evaluate) {
+    : scene_(scene),
+      data_(data),
+      options_(options),
+      evaluate_(evaluate),
+      receivers_without_(scene) {
   for (const Receiver& receiver : data.receivers)
     flipped_receivers_.push_back(FlippedReceiver(receiver));
 }
@@ -55,32 +57,9 @@ const std::vector<Rgb>& MistakeTrial::Reversed() {
   return *reversed_;
 }
 
-/// The faces, as indices, with a facet in a plane of the named face.
-const std::vector<int>& MistakeTrial::FacesInPlaneOf(int on_face) {
-  const auto [entry, is_new] = faces_in_plane_.try_emplace(on_face);
-  if (!is_new) return entry->second;
-  Receiver receiver{{0, 0, 0}, {0, 0, 1}, on_face};
-  const IdVector<FacetId, bool> ignored = IgnoredFacets({scene_, receiver});
-  for (const FacetId f : ignored.ids()) {
-    if (ignored[f]) entry->second.push_back(FaceOf(scene_, f).value());
-  }
-  return entry->second;
-}
-
 std::vector<Rgb> MistakeTrial::ValuesWithout(std::span<const int> faces) {
-  std::vector<bool> removed(scene_.faces().size(), false);
-  for (const int face : faces)
-    removed[static_cast<std::size_t>(face)] = true;
-  std::vector<Receiver> receivers = data_.receivers;
-  for (Receiver& receiver : receivers) {
-    const int face = receiver.on_face;
-    if (face == 0 || !removed[static_cast<std::size_t>(face - 1)]) continue;
-    const std::vector<int>& in_plane = FacesInPlaneOf(face);
-    const auto other = std::ranges::find_if(
-        in_plane, [&](int f) { return !removed[static_cast<std::size_t>(f)]; });
-    receiver.on_face = other == in_plane.end() ? 0 : *other + 1;
-  }
-  return Evaluate(WithoutFaces(scene_, faces), receivers);
+  return Evaluate(WithoutFaces(scene_, faces),
+                  receivers_without_.Of(data_.receivers, faces));
 }
 
 std::optional<std::vector<Rgb>> MistakeTrial::ValuesOnFaces() const {
@@ -103,12 +82,8 @@ MistakeTrial MistakeTrial::On(const CandidateData& some) const {
 
 CandidateData SomeOf(const CandidateData& data,
                      std::span<const std::size_t> indices) {
-  CandidateData some;
-  some.value_names = data.value_names;
-  some.channels = data.channels;
+  CandidateData some{SomeReceiversOf(data, indices), {}, {}};
   for (const std::size_t i : indices) {
-    some.receivers.push_back(data.receivers[i]);
-    some.lines.push_back(data.lines[i]);
     some.values.push_back(data.values[i]);
     some.truth.push_back(data.truth[i]);
   }

@@ -6,7 +6,6 @@
 #define TRUELUX_COMPARE_MISTAKE_TRIAL_H_
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,6 +18,7 @@
 
 #include "compare/candidate_errors.h"
 #include "compare/candidates.h"
+#include "compare/receivers_without.h"
 
 namespace truelux {
 
@@ -85,14 +85,12 @@ class MistakeTrial {
   [[nodiscard]] std::vector<Rgb> Evaluate(
       const Scene& variant, std::span<const Receiver> receivers) const;
 
-  const std::vector<int>& FacesInPlaneOf(int on_face);
-
   const Scene& scene_;
   const CandidateData& data_;
   TruthOptions options_;
   const SceneEvaluator& evaluate_;
   std::vector<Receiver> flipped_receivers_;
-  std::map<int, std::vector<int>> faces_in_plane_;  ///< by on_face
+  ReceiversWithout receivers_without_;
   std::optional<std::vector<Rgb>> flipped_;
   std::optional<std::vector<Rgb>> reversed_;
 };

@@ -178,5 +178,48 @@ TEST_F(Compare, UsageErrors) {
   refused({}, "in.csv: error: no receivers: the table has only a header");
 }
 
+TEST_F(Compare, TakesWhatGradientWrites) {
+  const std::string gradients = RunTruelux({"gradient", scene_, table_}).out;
+  const Outcome outcome =
+      Run({"-", "--json", folder_ / "r.json"}, {.input = gradients});
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+  EXPECT_TRUE(Contains(outcome.out, "PASS: 0 of 9 receivers fail"));
+  EXPECT_TRUE(Contains(outcome.out, "gradient > 0           9   exact 9"));
+  EXPECT_TRUE(Contains(outcome.err, "--quantity irradiance compares"));
+  const json report = json::parse(ReadFile(folder_ / "r.json"));
+  EXPECT_EQ(report["quantity"], "gradient");
+  EXPECT_EQ(report["summary"]["sloping"]["exact"], 9);
+  EXPECT_EQ(report["columns"].size(), 9U);
+  // The irradiances of the same table, if they are asked for.
+  const Outcome irradiances =
+      Run({"-", "--quantity", "irradiance"}, {.input = gradients});
+  EXPECT_EQ(irradiances.exit_status, 0);
+  EXPECT_TRUE(Contains(irradiances.out, "irradiance E_r,E_g,E_b"));
+  EXPECT_EQ(irradiances.err, "");
+}
+
+TEST_F(Compare, NamesWhatIsWrongWithGradients) {
+  const std::string table =
+      folder_.Write("wrong.csv",
+                    "x,y,z,nx,ny,nz,grad_r_x,grad_r_y,grad_r_z\n"
+                    "0,0,0,0,0,1,1,2,3\n"
+                    "0.1,0,0,0,0,1,nan,2,3\n"
+                    "0.2,0,0,0,0,1,,,\n");
+  const Outcome outcome =
+      Run({table, "--channel", "r", "--json", folder_ / "r.json"});
+  EXPECT_EQ(outcome.exit_status, 1) << outcome.err;
+  EXPECT_TRUE(Contains(outcome.out, "FAIL: 3 of 3 receivers fail"));
+  EXPECT_TRUE(Contains(outcome.out, "not a number           2"));
+  EXPECT_TRUE(Contains(outcome.out, "worst receivers"));
+  const json report = json::parse(ReadFile(folder_ / "r.json"));
+  EXPECT_EQ(report["worst"].size(), 3U);
+  EXPECT_EQ(report["worst"][0]["candidate"][0], "nan");
+  EXPECT_EQ(report["diagnosis"]["verdict"], "unexplained");
+  // A table with some of the columns says which are missing.
+  const Outcome missing = Run({table});
+  EXPECT_EQ(missing.exit_status, 2);
+  EXPECT_TRUE(Contains(missing.err, "lacks the columns grad_g_x, grad_g_y"));
+}
+
 }  // namespace
 }  // namespace truelux::test

@@ -135,5 +135,36 @@ TEST(Candidates, EveryDefectOfARowIsReportedAndTheNextIsRead) {
   EXPECT_EQ(t.rows.size(), 1U);
 }
 
+TEST(Candidates, GradientsHaveThreeColumnsAChannel) {
+  const std::string place = "x,y,z,nx,ny,nz,";
+  const CandidateText t =
+      Read(place +
+           "grad_r_x,grad_r_y,grad_r_z,grad_g_x,grad_g_y,grad_g_z,"
+           "grad_b_x,grad_b_y,grad_b_z\n0,0,0,0,0,1,1,2,3,4,5,6,7,8,nan\n");
+  EXPECT_EQ(t.defects, Texts{});
+  EXPECT_EQ(t.channels, (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(t.names.size(), 9U);
+  EXPECT_EQ(t.rows.at(0).gradient[1].y, 5);
+  EXPECT_TRUE(std::isnan(t.rows.at(0).gradient[2].z));
+  const std::string single =
+      place + "grad_x,grad_y,grad_z\n0,0,0,0,0,1,1,2,3\n";
+  EXPECT_EQ(Read(single, kGrey).rows.at(0).gradient[0].z, 3);
+  EXPECT_EQ(Read(single, kGreen).channels, std::vector<std::size_t>{1});
+  EXPECT_EQ(Read(single).defects,
+            Texts{"t.csv:1: error: columns 'grad_x', 'grad_y' and 'grad_z' "
+                  "could be any channel, and the scene's differ; say which by "
+                  "--channel r, g or b, or give grad_r_x .. grad_b_z"});
+  EXPECT_EQ(
+      Read(place + "grad_r_x,grad_r_y,grad_r_z\n", {.channel = 0}).defects,
+      Texts{});
+  EXPECT_EQ(Read(place + "grad_g_x,grad_g_z\n", kGreen).defects,
+            Texts{"t.csv:1: error: the header lacks the column grad_g_y; "
+                  "expected the candidate's grad_r_x .. grad_b_z, or "
+                  "grad_x,grad_y,grad_z"});
+  EXPECT_EQ(Read(single.substr(0, single.size() - 2) + "three\n", kGrey)
+                .defects.size(),
+            1U);
+}
+
 }  // namespace
 }  // namespace truelux

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/load_candidate.h"
 
+#include <cmath>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -13,12 +15,16 @@
 namespace truelux {
 namespace {
 
-CandidateData Load(std::string_view text) {
+LoadedCandidate LoadAny(std::string_view text, const CandidateRules& rules) {
   TextSource source(text);
   const Scene scene = testing::SceneOf(3);
   FaceWords faces(scene);
-  return LoadCandidate(source, "mine.csv", {.quantity = Quantity::kFormFactor},
-                       faces);
+  return LoadCandidate(source, "mine.csv", rules, faces);
+}
+
+CandidateData Load(std::string_view text) {
+  return std::get<CandidateData>(
+      LoadAny(text, {.quantity = Quantity::kFormFactor}).data);
 }
 
 /// What is wrong with a table: "line: message" for each defect.
@@ -74,6 +80,30 @@ TEST(LoadCandidate, ATableWithoutReceiversIsADefect) {
   EXPECT_EQ(
       DefectsOf("x,y,z,nx,ny,nz,F\n"),
       std::vector<std::string>{"0: no receivers: the table has only a header"});
+}
+
+TEST(LoadCandidate, TakesGradientsWhereTheTableHasThem) {
+  const std::string text =
+      "x,y,z,nx,ny,nz,E_r,grad_g_x,grad_g_y,grad_g_z\n"
+      "1,0,0,0,0,1,0.5,1,2,3\n"
+      "2,0,0,0,0,1,0.5,,,\n";
+  const LoadedCandidate loaded = LoadAny(text, {.channel = 1});
+  EXPECT_TRUE(loaded.ignores_irradiance);
+  const auto& data = std::get<GradientData>(loaded.data);
+  EXPECT_EQ(data.channels, std::vector<std::size_t>{1});
+  EXPECT_EQ(data.value_names,
+            (std::vector<std::string>{"grad_g_x", "grad_g_y", "grad_g_z"}));
+  ASSERT_EQ(data.values.size(), 2U);
+  EXPECT_EQ(data.values[0][0].z, 3);
+  EXPECT_EQ(data.values[0][1].x, 0);
+  EXPECT_TRUE(std::isnan(data.values[1][0].y));
+  EXPECT_TRUE(data.truth.empty());
+  // Who asks for irradiances gets them.
+  const LoadedCandidate asked =
+      LoadAny("x,y,z,nx,ny,nz,E,grad_x\n1,0,0,0,0,1,0.5,1\n",
+              {.quantity = Quantity::kIrradiance, .is_grey = true});
+  EXPECT_EQ(std::get<CandidateData>(asked.data).values[0][0], 0.5);
+  EXPECT_FALSE(asked.ignores_irradiance);
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The receivers of a candidate, without their values.
+
+#ifndef TRUELUX_COMPARE_CANDIDATE_RECEIVERS_H_
+#define TRUELUX_COMPARE_CANDIDATE_RECEIVERS_H_
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "truelux/receiver.h"
+
+#include "text/face_choice.h"
+
+namespace truelux {
+
+struct CandidateReceivers {
+  std::vector<std::string> value_names;  ///< of the compared columns: "E_r"
+  std::vector<std::size_t> channels;     ///< which channels of the scene
+  std::vector<Receiver> receivers;
+  FoundFaces found;        ///< how faces of the receivers were found
+  std::vector<int> lines;  ///< of the receivers in the candidate's table
+};
+
+/// Some of them, by their indices; without `found`.
+[[nodiscard]] inline CandidateReceivers SomeReceiversOf(
+    const CandidateReceivers& all, std::span<const std::size_t> indices) {
+  CandidateReceivers some;
+  some.value_names = all.value_names;
+  some.channels = all.channels;
+  for (const std::size_t i : indices) {
+    some.receivers.push_back(all.receivers[i]);
+    some.lines.push_back(all.lines[i]);
+  }
+  return some;
+}
+
+}  // namespace truelux
+
+#endif  // TRUELUX_COMPARE_CANDIDATE_RECEIVERS_H_

@@ -95,22 +95,6 @@ bool HasBothSigns(std::span<const double> errors) {
 
 }  // namespace
 
-std::string_view Name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kNothingFails:
-      return "nothing fails";
-    case Verdict::kMistake:
-      return "mistake";
-    case Verdict::kOffFaces:
-      return "receivers off their faces";
-    case Verdict::kNoise:
-      return "noise";
-    case Verdict::kUnexplained:
-      break;
-  }
-  return "unexplained";
-}
-
 std::optional<NoiseTraits> NoiseTraitsOf(
     const CandidateData& data, std::span<const CandidateError> errors) {
   std::vector<double> relative;

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <span>
 
-#include "compare/diagnosis.h"
 #include "compare/mistake_fit.h"
+#include "compare/verdict.h"
 
 namespace truelux {
 

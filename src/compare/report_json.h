@@ -8,7 +8,7 @@
 
 #include "truelux/scene.h"
 
-#include "compare/diagnosis.h"
+#include "compare/verdict.h"
 #include "explain/receiver_detail.h"
 
 namespace truelux {

@@ -11,6 +11,7 @@
 #include "truelux/irradiance.h"
 
 #include "compare/candidate_report.h"
+#include "compare/diagnosis.h"
 #include "compare/explanation.h"
 #include "compare/gradients/finite_differences.h"
 #include "compare/gradients/gradient_mistakes.h"

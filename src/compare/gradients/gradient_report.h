@@ -12,9 +12,9 @@
 #include "truelux/derivatives.h"
 #include "truelux/scene.h"
 
-#include "compare/diagnosis.h"
 #include "compare/gradients/gradient_data.h"
 #include "compare/gradients/gradient_errors.h"
+#include "compare/verdict.h"
 #include "explain/receiver_detail.h"
 
 namespace truelux {

@@ -2,7 +2,9 @@
 // What derivatives cost beside the irradiance alone, on the same receivers and
 // in turns: medians of the time per receiver, one thread.
 //
-//   derivatives [ROUNDS]
+//   derivatives [ROUNDS [SCENE [ROW]]]
+//
+// SCENE and ROW: only what has these words in its name.
 
 #include "truelux/derivatives.h"
 
@@ -53,7 +55,15 @@ BenchScene Example(const std::string& name, double low, double high,
   return scene;
 }
 
-void Measure(const BenchScene& bench, int rounds) {
+/// What is measured.
+struct Choice {
+  int rounds = 11;
+  std::string scene;  ///< part of the name
+  std::string row;    ///< likewise
+};
+
+void Measure(const BenchScene& bench, const Choice& choice) {
+  if (bench.name.find(choice.scene) == std::string::npos) return;
   const Oracle certified(bench.scene);
   const Oracle plain(certified.prepared(), {.method = Method::kDouble});
   const auto& receivers = bench.receivers;
@@ -87,7 +97,10 @@ void Measure(const BenchScene& bench, int rounds) {
          for (const Receiver& receiver : receivers)
            (void)certified.VertexDerivatives(receiver);
        }}};
-  for (int round = 0; round < rounds; ++round) {
+  std::erase_if(rows, [&choice](const Row& row) {
+    return std::string(row.name).find(choice.row) == std::string::npos;
+  });
+  for (int round = 0; round < choice.rounds; ++round) {
     for (Row& row : rows)
       row.times.push_back(SecondsOf(row.run));
   }
@@ -105,9 +118,12 @@ void Measure(const BenchScene& bench, int rounds) {
 
 int main(int argc, char** argv) {
   using namespace truelux::bench;
-  const int rounds = argc > 1 ? std::atoi(argv[1]) : 11;
-  Measure(MakeSlab(100, 200, 1), rounds);
-  Measure(Example("cornell_box", 5, 545, true), rounds);
-  Measure(Example("figure7_b", -3.5, 3.5, false), rounds);
+  Choice choice;
+  if (argc > 1) choice.rounds = std::atoi(argv[1]);
+  if (argc > 2) choice.scene = argv[2];
+  if (argc > 3) choice.row = argv[3];
+  Measure(MakeSlab(100, 200, 1), choice);
+  Measure(Example("cornell_box", 5, 545, true), choice);
+  Measure(Example("figure7_b", -3.5, 3.5, false), choice);
   return 0;
 }

@@ -247,13 +247,23 @@ void Oracle::Derivatives(
   const EvaluationQuery evaluation{options_.method, options_.emission,
                                    Formula::kAuto, 0x1p20};
   ContourQuery query{scene(), {}, {}, false, options_.stop};
+  // In double, E depends on the contour, and Evaluate joins the sources.
+  const bool has_contour_of_irradiance =
+      options_.method == Method::kCertified ||
+      (options_.engine == Engine::kContour &&
+       options_.formula == Formula::kAuto &&
+       prepared_.data_->engine.emitters().size() == 1);
   for (std::size_t i = 0; i < receivers.size(); ++i) {
+    if (i % kReceiverBlock == 0) {
+      workspace->builder.StartBlock(
+          receivers.subspan(i, std::min(kReceiverBlock, receivers.size() - i)));
+    }
     StopIfAsked(options_.stop);
     query.receiver = receivers[i];
-    truelux::Derivatives found = DerivativesAt(prepared_.data_->engine, query,
-                                               evaluation, options, *workspace);
-    if (options_.method == Method::kDouble)
-      found.irradiance = Evaluate(receivers[i]);
+    truelux::Derivatives found =
+        DerivativesAt(prepared_.data_->engine, query, evaluation, options,
+                      has_contour_of_irradiance, *workspace);
+    if (!has_contour_of_irradiance) found.irradiance = Evaluate(receivers[i]);
     take(i, found);
   }
 }

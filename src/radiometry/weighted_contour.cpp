@@ -30,6 +30,16 @@ bool WeightedContour::IsLit(SourceId source) const {
   return IsLit(source, 0) || IsLit(source, 1) || IsLit(source, 2);
 }
 
+std::optional<Rgb> CommonWeights(const WeightedContour& contour) {
+  std::optional<Rgb> common;
+  for (const SourceId source : contour.contour.sources.ids()) {
+    if (!contour.IsLit(source)) continue;
+    if (common && contour.WeightOf(source) != *common) return std::nullopt;
+    common = contour.WeightOf(source);
+  }
+  return common;
+}
+
 HorizonPlanes PlanesOnHorizon(const WeightedContour& contour) {
   HorizonPlanes result;
   result.reserve(contour.contour.planes.size());

@@ -10,6 +10,7 @@
 #define TRUELUX_RADIOMETRY_WEIGHTED_CONTOUR_H_
 
 #include <cstddef>
+#include <optional>
 #include <span>
 
 #include "truelux/geometry.h"
@@ -48,6 +49,10 @@ struct WeightedContour {
            WeightOf(source)[channel] > 0;
   }
 };
+
+/// What all sources that are lit emit, if they emit the same; nothing also if
+/// none is lit.
+std::optional<Rgb> CommonWeights(const WeightedContour& contour);
 
 /// For each plane of a contour, whether it is exactly the receiver plane.
 using HorizonPlanes = IdVector<PlaneId, bool>;

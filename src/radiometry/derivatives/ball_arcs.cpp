@@ -13,7 +13,9 @@ BallArcs<T>::BallArcs(const WeightedContour& contour, BallGeometry<T>& geometry)
   const Ball<T> one(1.0);
   for (const DirectionId id : c.directions.ids()) {
     const BallVector<T>& d = geometry.Direction(id).scaled.vector;
-    units_.push_back(Times(one / Length(d), d));
+    const Ball<T> length = Length(d);
+    lengths_.push_back(length);
+    units_.push_back(Times(one / length, d));
   }
   for (const PlaneId id : c.planes.ids()) {
     const BallPlane<T>& plane = geometry.Plane(id);
@@ -29,8 +31,7 @@ Ball<T> BallArcs<T>::SineOf(const Arc& arc) const {
   const BallDirection<T>& d2 = geometry_.Direction(arc.to);
   const Ball<T> across =
       plane.length * CrossAlongAxis(plane, d1, d2, arc.positive);
-  return across / (plane.along_axis * Length(d1.scaled.vector) *
-                   Length(d2.scaled.vector));
+  return across / (plane.along_axis * lengths_[arc.from] * lengths_[arc.to]);
 }
 
 template <class T>

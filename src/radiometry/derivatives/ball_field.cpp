@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radiometry/derivatives/ball_field.h"
 
+#include <optional>
+
 #include "exact/angle_sum.h"
 #include "exact/ball_recipe.h"
 #include "exact/recipe_evaluator.h"
@@ -30,41 +32,83 @@ ScaledVector<T> LineOf(const WeightedContour& contour,
   return ScaleToUnit<T>(plane.negated() ? -along : along);
 }
 
+/// The sums of a field while they grow.
+template <class T>
+struct FieldSum {
+  VectorSum<T> vector;
+  std::array<VectorSum<T>, 3> jacobian;
+  VectorSum<T> moment;
+
+  [[nodiscard]] BallField<T> Get() const {
+    return {vector.Get(),
+            {jacobian[0].Get(), jacobian[1].Get(), jacobian[2].Get()},
+            moment.Get()};
+  }
+
+  /// Adds a field times s.
+  void Add(const Ball<T>& s, const BallField<T>& field) {
+    vector.Add(s, field.vector);
+    for (std::size_t p = 0; p < 3; ++p)
+      jacobian[p].Add(s, field.jacobian[p]);
+    moment.Add(s, field.moment);
+  }
+};
+
 /// Sums the arcs' terms.
 template <class T>
 class FieldSummer {
  public:
-  FieldSummer(const WeightedContour& contour, BallGeometry<T>& geometry)
-      : arcs_(contour, geometry) {
+  FieldSummer(const WeightedContour& contour, const FieldParts& parts,
+              BallGeometry<T>& geometry)
+      : parts_(parts), arcs_(contour, geometry) {
+    if (!HasPosition()) return;
     for (const PlaneId id : contour.contour.planes.ids())
       inverses_.push_back(InverseAt(id));
+    if (parts_.jacobian) return;
+    for (const DirectionId id : contour.contour.directions.ids())
+      rises_.push_back(Dot(arcs_.ReceiverNormal(), arcs_.Unit(id)));
   }
 
-  std::array<BallField<T>, 3> Find() const {
-    std::array<BallField<T>, 3> fields{};
+  BallFields<T> Find() const {
     const WeightedContour& contour = arcs_.contour();
+    const std::optional<Rgb> common = CommonWeights(contour);
+    BallFields<T> fields;
+    fields.has_common = common.has_value();
+    fields.weights = common.value_or(Rgb{});
     const Ball<T> inverse_pi = Ball<T>(0.5) / HalfPi<T>();
+    FieldSum<T> all;
+    std::array<FieldSum<T>, 3> channels;
     for (const SourceId source : contour.contour.sources.ids()) {
       if (!contour.IsLit(source)) continue;
-      BallField<T> own{};
-      for (const Arc& arc : contour.ArcsOf(source))
-        Add(arc, own);
+      if (fields.has_common) {
+        AddSource(source, all);
+        continue;
+      }
+      FieldSum<T> own;
+      AddSource(source, own);
+      const BallField<T> field = Finished(own);
       for (std::size_t channel = 0; channel < 3; ++channel) {
         const double weight = contour.WeightOf(source)[channel];
-        if (weight == 0) continue;
-        const Ball<T> factor = inverse_pi * Ball<T>(weight);
-        BallField<T>& field = fields[channel];
-        field.vector = Sum(field.vector, Times(factor, own.vector));
-        for (std::size_t p = 0; p < 3; ++p) {
-          field.jacobian[p] =
-              Sum(field.jacobian[p], Times(factor, own.jacobian[p]));
-        }
+        if (weight != 0)
+          channels[channel].Add(inverse_pi * Ball<T>(weight), field);
       }
+    }
+    if (fields.has_common) {
+      FieldSum<T> scaled;
+      scaled.Add(inverse_pi, Finished(all));
+      fields.common = scaled.Get();
+    } else {
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        fields.channels[channel] = channels[channel].Get();
     }
     return fields;
   }
 
  private:
+  [[nodiscard]] bool HasPosition() const {
+    return parts_.jacobian || parts_.moment;
+  }
+
   [[nodiscard]] bool IsHorizon(PlaneId id) const {
     return arcs_.contour().contour.planes[id].kind() ==
            PlaneRecipe::Kind::kHorizon;
@@ -81,27 +125,50 @@ class FieldSummer {
                    line.exponent - n.exponent);
   }
 
+  void AddSource(SourceId source, FieldSum<T>& sum) const {
+    for (const Arc& arc : arcs_.contour().ArcsOf(source))
+      AddArc(arc, sum);
+  }
+
+  /// With n.J, which J has.
+  [[nodiscard]] BallField<T> Finished(const FieldSum<T>& sum) const {
+    BallField<T> field = sum.Get();
+    if (!parts_.jacobian) return field;
+    VectorSum<T> moment;
+    for (std::size_t p = 0; p < 3; ++p)
+      moment.Add(Component(arcs_.ReceiverNormal(), p), field.jacobian[p]);
+    field.moment = moment.Get();
+    return field;
+  }
+
   /// -beta/2 m_out to V, -K m_out^T to J.
-  void Add(const Arc& arc, BallField<T>& field) const {
+  void AddArc(const Arc& arc, FieldSum<T>& sum) const {
     const BallArc<T> own = arcs_.At(arc);
-    field.vector =
-        Sum(field.vector, Times(Ball<T>(0.5) * own.angle, own.inward));
-    if (IsHorizon(arc.plane)) return;
-    // K = W G.
+    sum.vector.Add(Ball<T>(0.5) * own.angle, own.inward);
+    if (!HasPosition() || IsHorizon(arc.plane)) return;
+    // K = W G = a (u1 + u2) + b (u2 - u1).
     const BallVector<T>& u1 = arcs_.Unit(arc.from);
     const BallVector<T>& u2 = arcs_.Unit(arc.to);
     const Ball<T> q1 = Dot(inverses_[arc.plane], u1);
     const Ball<T> q2 = Dot(inverses_[arc.plane], u2);
-    const BallVector<T> k = Sum(Times(own.a * (q1 + q2), Sum(u1, u2)),
-                                Times(own.b * (q2 - q1), Sum(u2, -u1)));
-    for (std::size_t p = 0; p < 3; ++p) {
-      field.jacobian[p] =
-          Sum(field.jacobian[p], Times(Component(k, p), own.inward));
+    const Ball<T> a = own.a * (q1 + q2);
+    const Ball<T> b = own.b * (q2 - q1);
+    const Ball<T> first = a - b;
+    const Ball<T> last = a + b;
+    if (!parts_.jacobian) {
+      sum.moment.Add(first * rises_[arc.from] + last * rises_[arc.to],
+                     own.inward);
+      return;
     }
+    const BallVector<T> k = Combined(first, u1, last, u2);
+    for (std::size_t p = 0; p < 3; ++p)
+      sum.jacobian[p].Add(Component(k, p), own.inward);
   }
 
+  FieldParts parts_;
   BallArcs<T> arcs_;
   IdVector<PlaneId, BallVector<T>> inverses_;
+  IdVector<DirectionId, Ball<T>> rises_;  ///< n.u, unless J is wanted
 };
 
 template <class T>
@@ -114,53 +181,52 @@ void Put(const BallVector<T>& v, std::size_t at,
 /// v less what it has along m.
 template <class T>
 BallVector<T> Across(const BallVector<T>& v, const BallVector<T>& m) {
-  return Sum(v, -Times(Dot(v, m) / Dot(m, m), m));
+  return Combined(Ball<T>(1.0), v, -(Dot(v, m) / Dot(m, m)), m);
 }
 
 }  // namespace
 
 template <class T>
-std::array<BallField<T>, 3> BallFieldsOf(const WeightedContour& contour,
-                                         BallGeometry<T>& geometry) {
-  return FieldSummer<T>(contour, geometry).Find();
+BallFields<T> BallFieldsOf(const WeightedContour& contour,
+                           const FieldParts& parts, BallGeometry<T>& geometry) {
+  return FieldSummer<T>(contour, parts, geometry).Find();
 }
 
 template <class T>
-ComponentArray<Ball<T>> BallComponentsOf(const BallField<T>& hemisphere,
-                                         const BallField<T>& sphere,
-                                         const BallVector<T>& n,
-                                         const BallVector<T>& m,
-                                         const Ball<T>& scale) {
-  ComponentArray<Ball<T>> components;
+BallComponents<T> BallComponentsOf(const BallField<T>& hemisphere,
+                                   const BallField<T>& sphere,
+                                   const BallVector<T>& n,
+                                   const BallVector<T>& m) {
+  BallComponents<T> all;
+  ComponentArray<Ball<T>>& components = all.components;
   const Ball<T> inverse = Ball<T>(1.0) / Length(n);
-  BallVector<T> gradient{};
   for (std::size_t p = 0; p < 3; ++p) {
-    gradient = Sum(gradient, Times(Component(n, p), hemisphere.jacobian[p]));
     Put(hemisphere.jacobian[p], kJacobianAt + 3 * p, components);
     Put(sphere.jacobian[p], kSphereJacobianAt + 3 * p, components);
   }
-  gradient = Times(inverse, gradient);
+  const BallVector<T> gradient = Times(inverse, hemisphere.moment);
   Put(gradient, kGradientAt, components);
   Put(Across(gradient, m), kTangentialAt, components);
   Put(Across(hemisphere.vector, n), kNormalAt, components);
   Put(hemisphere.vector, kVectorAt, components);
   Put(sphere.vector, kSphereAt, components);
   components[kFluxAt] = inverse * Dot(n, sphere.vector);
-  for (Ball<T>& x : components)
-    x = scale * x;
-  return components;
+  all.irradiance = inverse * Dot(n, hemisphere.vector);
+  return all;
 }
 
-template std::array<BallField<double>, 3> BallFieldsOf(const WeightedContour&,
-                                                       BallGeometry<double>&);
-template std::array<BallField<DoubleDouble>, 3> BallFieldsOf(
-    const WeightedContour&, BallGeometry<DoubleDouble>&);
-template ComponentArray<Ball<double>> BallComponentsOf(
-    const BallField<double>&, const BallField<double>&,
-    const BallVector<double>&, const BallVector<double>&, const Ball<double>&);
-template ComponentArray<Ball<DoubleDouble>> BallComponentsOf(
+template BallFields<double> BallFieldsOf(const WeightedContour&,
+                                         const FieldParts&,
+                                         BallGeometry<double>&);
+template BallFields<DoubleDouble> BallFieldsOf(const WeightedContour&,
+                                               const FieldParts&,
+                                               BallGeometry<DoubleDouble>&);
+template BallComponents<double> BallComponentsOf(const BallField<double>&,
+                                                 const BallField<double>&,
+                                                 const BallVector<double>&,
+                                                 const BallVector<double>&);
+template BallComponents<DoubleDouble> BallComponentsOf(
     const BallField<DoubleDouble>&, const BallField<DoubleDouble>&,
-    const BallVector<DoubleDouble>&, const BallVector<DoubleDouble>&,
-    const Ball<DoubleDouble>&);
+    const BallVector<DoubleDouble>&, const BallVector<DoubleDouble>&);
 
 }  // namespace truelux

@@ -15,11 +15,29 @@
 
 namespace truelux {
 
-/// V and J of one channel, J by rows.
+/// V and J, J by rows; and n.J, n the scaled normal of the receiver.
 template <class T>
 struct BallField {
   BallVector<T> vector;
   std::array<BallVector<T>, 3> jacobian;
+  BallVector<T> moment;
+};
+
+/// Which numbers of fields are wanted; V always is. n.J alone costs less than J.
+struct FieldParts {
+  bool jacobian = true;  ///< also n.J
+  bool moment = true;
+};
+
+/// The fields of all channels.
+template <class T>
+struct BallFields {
+  /// Where all sources have the same weights: the field of weight 1, and the
+  /// weights. `channels` is then empty.
+  BallField<T> common{};
+  Rgb weights{};
+  bool has_common = true;
+  std::array<BallField<T>, 3> channels{};
 };
 
 /// The fields of all channels, by the sums over arcs of docs/derivatives.md (2)
@@ -29,17 +47,24 @@ struct BallField {
 ///
 /// geometry: is evaluated for the contour. Weights as the contour's: M [W/m^2].
 template <class T>
-std::array<BallField<T>, 3> BallFieldsOf(const WeightedContour& contour,
-                                         BallGeometry<T>& geometry);
+BallFields<T> BallFieldsOf(const WeightedContour& contour,
+                           const FieldParts& parts, BallGeometry<T>& geometry);
 
-/// All components of one channel, as field.h has them. m: a normal of the
-/// surface that the receiver lies on. scale: of all of them.
+/// The components of a field.
 template <class T>
-ComponentArray<Ball<T>> BallComponentsOf(const BallField<T>& hemisphere,
-                                         const BallField<T>& sphere,
-                                         const BallVector<T>& n,
-                                         const BallVector<T>& m,
-                                         const Ball<T>& scale);
+struct BallComponents {
+  ComponentArray<Ball<T>> components;  ///< as field.h has them
+  Ball<T> irradiance;                  ///< n.V / |n|
+};
+
+/// All components of one field over the hemisphere and one over the sphere;
+/// those of parts that the fields are without are 0. n: the receiver's normal,
+/// scaled as the fields'; m: a normal of the surface that the receiver lies on.
+template <class T>
+BallComponents<T> BallComponentsOf(const BallField<T>& hemisphere,
+                                   const BallField<T>& sphere,
+                                   const BallVector<T>& n,
+                                   const BallVector<T>& m);
 
 }  // namespace truelux
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "base/stamped_table.h"
@@ -17,8 +18,9 @@ namespace {
 /// A line of the scene with its plane through r.
 struct SeenLine {
   PlaneRecipe plane;
-  double key = 0;    ///< |N^ . g|, g some vector: equal for equal planes
-  double error = 0;  ///< bound on the error of the key, and of N^
+  std::size_t number = 0;  ///< in the order in which lines were found
+  double key = 0;          ///< |N^ . g|, g some vector: equal for equal planes
+  double error = 0;        ///< bound on the error of the key, and of N^
   Vec3<double> unit;
 };
 
@@ -46,7 +48,8 @@ class SeenLineFinder::Impl {
         is_known_piece_(engine.pieces().pieces().size()),
         is_known_edge_(engine.pieces().corners().size()) {}
 
-  const SeenLines& Find(const ContourQuery& query) {
+  const SeenLines& Find(const ContourQuery& query, bool with_level) {
+    with_level_ = with_level;
     view_ = ViewOf(query);
     exact_ = RecipeEvaluator<Exact>(view_);
     ignored_.SetOnFace(FaceNumber(query.receiver.on_face));
@@ -109,7 +112,18 @@ class SeenLineFinder::Impl {
     }
   }
 
+  /// Whether a vertex is in the receiver plane, as is plain where the normal is
+  /// along an axis; false: perhaps.
+  [[nodiscard]] bool IsPlainlyLevel(VertexId v) const {
+    const Point3& p = view_.vertices[v];
+    const Point3& r = view_.position;
+    const Vector3& n = view_.normal;
+    return (n.x == 0 || p.x == r.x) && (n.y == 0 || p.y == r.y) &&
+           (n.z == 0 || p.z == r.z);
+  }
+
   void AddEdge(VertexId a, VertexId b) {
+    if (!with_level_ && IsPlainlyLevel(a) && IsPlainlyLevel(b)) return;
     const Vec3<double> to_a = VectorOf(view_.position, view_.vertices[a]);
     const Vec3<double> edge = VectorOf(view_.vertices[a], view_.vertices[b]);
     const Vec3<double> normal = Cross(to_a, edge);
@@ -122,7 +136,7 @@ class SeenLineFinder::Impl {
   void AddLine(const PlaneRecipe& plane, const Vec3<double>& normal,
                double error) {
     const double length = LengthOf(normal);
-    SeenLine line{plane, 0, HUGE_VAL, {}};
+    SeenLine line{plane, lines_.size(), 0, HUGE_VAL, {}};
     // Written so that a NaN has an infinite error.
     if (length > 4 * error && std::isfinite(length) && length > 0x1p-400) {
       line.unit = (1 / length) * normal;
@@ -162,10 +176,14 @@ class SeenLineFinder::Impl {
   }
 
   void AddPairs() {
-    const Vector3& n = view_.normal;
-    AddLine(PlaneRecipe::OfHorizon(), {n.x, n.y, n.z},
-            0x1p-52 * LengthOf(Vec3<double>{n.x, n.y, n.z}));
-    std::ranges::sort(lines_, {}, &SeenLine::key);
+    if (with_level_) {
+      const Vector3& n = view_.normal;
+      AddLine(PlaneRecipe::OfHorizon(), {n.x, n.y, n.z},
+              0x1p-52 * LengthOf(Vec3<double>{n.x, n.y, n.z}));
+    }
+    std::ranges::sort(lines_, [](const SeenLine& a, const SeenLine& b) {
+      return a.key != b.key ? a.key < b.key : a.number < b.number;
+    });
     double widest = 0;
     for (const SeenLine& line : lines_) {
       if (line.error < 1e-6) widest = std::max(widest, line.error);
@@ -254,6 +272,7 @@ class SeenLineFinder::Impl {
   }
 
   const ContourEngine& engine_;
+  bool with_level_ = true;
   ReceiverView view_;
   RecipeEvaluator<Exact> exact_;
   ViewGeometry geometry_;
@@ -282,8 +301,9 @@ SeenLineFinder::SeenLineFinder(const ContourEngine& engine)
 
 SeenLineFinder::~SeenLineFinder() = default;
 
-const SeenLines& SeenLineFinder::Find(const ContourQuery& query) {
-  return impl_->Find(query);
+const SeenLines& SeenLineFinder::Find(const ContourQuery& query,
+                                      bool with_level) {
+  return impl_->Find(query, with_level);
 }
 
 }  // namespace truelux

@@ -52,8 +52,9 @@ class SeenLineFinder {
   SeenLineFinder(const SeenLineFinder&) = delete;
   SeenLineFinder& operator=(const SeenLineFinder&) = delete;
 
-  /// Valid until the next call. query: of the engine's scene.
-  const SeenLines& Find(const ContourQuery& query);
+  /// Valid until the next call. query: of the engine's scene. with_level: if
+  /// not, pairs in the receiver plane may be left out.
+  const SeenLines& Find(const ContourQuery& query, bool with_level = true);
 
  private:
   class Impl;

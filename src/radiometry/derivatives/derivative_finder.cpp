@@ -7,6 +7,7 @@
 
 #include "exact/angle_sum.h"
 #include "exact/ball_recipe.h"
+#include "radiometry/derivatives/ball_arcs.h"
 #include "radiometry/derivatives/ball_field.h"
 #include "radiometry/derivatives/components.h"
 #include "radiometry/derivatives/field.h"
@@ -74,23 +75,24 @@ class DerivativeFinder {
  public:
   explicit DerivativeFinder(const FinderQuery& query) : query_(query) {}
 
-  CertifiedNumbers Find(const DerivativeOptions& options,
-                        EvaluationWorkspace& workspace) const {
+  FoundComponents Find(const DerivativeOptions& options,
+                       EvaluationWorkspace& workspace) const {
     std::vector<bool> open;
     for (std::size_t channel = 0; channel < 3; ++channel) {
       for (std::size_t k = 0; k < kComponentCount; ++k)
         open.push_back(IsAsked(k, options) && MayDiffer(channel, k));
     }
-    CertifiedNumbers numbers;
+    FoundComponents found;
+    CertifiedNumbers& numbers = found.numbers;
     numbers.values.resize(open.size());
     numbers.bounds.resize(open.size());
     // With limits there is more than the arcs at r.
     if (!query_.hemisphere.limits) {
       if (query_.method == Method::kDouble)
-        AnswerInBalls(workspace.plain, open, numbers);
-      AnswerInBalls(workspace.double_double, open, numbers);
+        AnswerInBalls(options, workspace.plain, open, found);
+      AnswerInBalls(options, workspace.double_double, open, found);
     }
-    if (!IsAny(open)) return numbers;
+    if (!IsAny(open)) return found;
     const CertifiedNumbers rest =
         Certify({[this](slong precision) { return At(precision); },
                  [this](std::size_t number, const ArbReal& enclosure) {
@@ -104,7 +106,7 @@ class DerivativeFinder {
       numbers.bounds[i] = rest.bounds[i];
     }
     numbers.undecided = rest.undecided;
-    return numbers;
+    return found;
   }
 
  private:
@@ -141,33 +143,82 @@ class DerivativeFinder {
 
   /// Answers what balls bound well enough, and closes it.
   template <class T>
-  void AnswerInBalls(BallGeometry<T>& geometry, std::vector<bool>& open,
-                     CertifiedNumbers& numbers) const {
+  void AnswerInBalls(const DerivativeOptions& options,
+                     BallGeometry<T>& geometry, std::vector<bool>& open,
+                     FoundComponents& found) const {
     if (!IsAny(open)) return;
-    const auto fields = [&geometry](const FieldRegion& region) {
-      if (region.contour.sources.empty()) return std::array<BallField<T>, 3>{};
+    const auto fields = [&geometry](const FieldRegion& region,
+                                    const FieldParts& parts) {
+      if (region.contour.sources.empty()) return BallFields<T>{};
       return BallFieldsOf<T>({region.view, region.contour, region.weights},
-                             geometry);
+                             parts, geometry);
     };
-    const auto hemisphere = fields(query_.hemisphere);
-    const auto sphere = fields(query_.sphere);
-    const auto n = ScaleToUnit<T>(query_.normal).vector;
+    const BallFields<T> hemisphere =
+        fields(query_.hemisphere, {options.jacobian, true});
+    const BallFields<T> sphere =
+        fields(query_.sphere, {options.jacobian, false});
+    const BallVector<T>& n = geometry.receiver_normal();
     const auto m = ScaleToUnit<T>(query_.surface).vector;
-    const Ball<T> scale = query_.emission == Emission::kRadiance
-                              ? Ball<T>(2.0) * HalfPi<T>()
-                              : Ball<T>(1.0);
+    std::optional<BallComponents<T>> common;
     for (std::size_t channel = 0; channel < 3; ++channel) {
       if (!query_.hemisphere.IsLit(channel) && !query_.sphere.IsLit(channel))
         continue;
-      const auto components =
-          BallComponentsOf(hemisphere[channel], sphere[channel], n, m, scale);
-      for (std::size_t k = 0; k < kComponentCount; ++k) {
-        const std::size_t i = channel * kComponentCount + k;
-        if (open[i] &&
-            TakeAnswer(components[k], numbers.values[i], numbers.bounds[i])) {
-          open[i] = false;
-        }
+      if (IsOneField(hemisphere, sphere)) {
+        if (!common)
+          common = BallComponentsOf(hemisphere.common, sphere.common, n, m);
+        const Rgb& weights = query_.hemisphere.contour.sources.empty()
+                                 ? sphere.weights
+                                 : hemisphere.weights;
+        Take(*common, weights[channel], channel, open, found);
+      } else {
+        Take(BallComponentsOf(FieldOf(hemisphere, channel),
+                              FieldOf(sphere, channel), n, m),
+             1, channel, open, found);
       }
+    }
+  }
+
+  /// Whether the channels differ by their weights alone.
+  template <class T>
+  [[nodiscard]] bool IsOneField(const BallFields<T>& hemisphere,
+                                const BallFields<T>& sphere) const {
+    if (!hemisphere.has_common || !sphere.has_common) return false;
+    return query_.hemisphere.contour.sources.empty() ||
+           query_.sphere.contour.sources.empty() ||
+           hemisphere.weights == sphere.weights;
+  }
+
+  template <class T>
+  static BallField<T> FieldOf(const BallFields<T>& fields,
+                              std::size_t channel) {
+    if (!fields.has_common) return fields.channels[channel];
+    const Ball<T> weight(fields.weights[channel]);
+    const BallField<T>& own = fields.common;
+    BallField<T> field{
+        Times(weight, own.vector), {}, Times(weight, own.moment)};
+    for (std::size_t p = 0; p < 3; ++p)
+      field.jacobian[p] = Times(weight, own.jacobian[p]);
+    return field;
+  }
+
+  /// Takes the answers of one channel, the weight times the components.
+  template <class T>
+  void Take(const BallComponents<T>& all, double weight, std::size_t channel,
+            std::vector<bool>& open, FoundComponents& found) const {
+    Ball<T> scale(weight);
+    if (query_.emission == Emission::kRadiance)
+      scale = scale * (Ball<T>(2.0) * HalfPi<T>());
+    CertifiedNumbers& numbers = found.numbers;
+    for (std::size_t k = 0; k < kComponentCount; ++k) {
+      const std::size_t i = channel * kComponentCount + k;
+      if (open[i] && TakeAnswer(scale * all.components[k], numbers.values[i],
+                                numbers.bounds[i])) {
+        open[i] = false;
+      }
+    }
+    if constexpr (std::is_same_v<T, DoubleDouble>) {
+      if (query_.hemisphere.IsLit(channel))
+        found.irradiance[channel] = RoundIfCertain(scale * all.irradiance);
     }
   }
 
@@ -251,9 +302,9 @@ class DerivativeFinder {
 
 }  // namespace
 
-CertifiedNumbers FindComponents(const FinderQuery& query,
-                                const DerivativeOptions& options,
-                                EvaluationWorkspace& workspace) {
+FoundComponents FindComponents(const FinderQuery& query,
+                               const DerivativeOptions& options,
+                               EvaluationWorkspace& workspace) {
   return DerivativeFinder(query).Find(options, workspace);
 }
 

@@ -5,6 +5,7 @@
 #define TRUELUX_RADIOMETRY_DERIVATIVES_DERIVATIVE_FINDER_H_
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -61,12 +62,19 @@ struct FinderQuery {
   Emission emission = Emission::kExitance;
 };
 
-/// The components, channel after channel, kComponentCount each: with kCertified
-/// the nearest binary64, with kDouble sums in double with their bounds where
-/// these are finite.
-CertifiedNumbers FindComponents(const FinderQuery& query,
-                                const DerivativeOptions& options,
-                                EvaluationWorkspace& workspace);
+/// The components, channel after channel, kComponentCount each.
+struct FoundComponents {
+  CertifiedNumbers numbers;
+  /// E of the channels where n.V / |n| told the binary64 nearest to it on the
+  /// way; with kCertified and without limits only.
+  std::array<std::optional<double>, 3> irradiance{};
+};
+
+/// With kCertified the nearest binary64, with kDouble sums in double with their
+/// bounds where these are finite.
+FoundComponents FindComponents(const FinderQuery& query,
+                               const DerivativeOptions& options,
+                               EvaluationWorkspace& workspace);
 
 }  // namespace truelux
 

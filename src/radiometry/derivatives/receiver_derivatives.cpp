@@ -2,8 +2,10 @@
 #include "radiometry/derivatives/receiver_derivatives.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "radiometry/derivatives/kink_planes.h"
 #include "radiometry/derivatives/limits.h"
 #include "radiometry/evaluate.h"
+#include "radiometry/stages/rounding.h"
 #include "scene/scene_access.h"
 
 namespace truelux {
@@ -90,31 +93,56 @@ FieldRegion RegionOf(const ContourEngine& engine, const ContourQuery& query,
   return region;
 }
 
+/// E: what was found on the way, if that is all.
+Irradiance IrradianceOf(const FoundComponents& found, const ContourQuery& query,
+                        const FieldRegion& hemisphere,
+                        const EvaluationQuery& evaluation,
+                        EvaluationWorkspace& workspace) {
+  Irradiance irradiance;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    if (!hemisphere.IsLit(channel)) continue;
+    const std::optional<double>& value = found.irradiance[channel];
+    if (evaluation.method != Method::kCertified || !value ||
+        !std::isfinite(*value)) {
+      return EvaluateContour(query, hemisphere.contour, evaluation, workspace);
+    }
+    irradiance.value[channel] = *value;
+    irradiance.bound[channel] = HalfSpacing(*value);
+    irradiance.statistics.evaluated_double_double = 1;
+  }
+  if (irradiance.statistics.evaluated_double_double == 0)
+    irradiance.statistics.evaluated_zero = 1;
+  irradiance.statistics += hemisphere.contour.statistics;
+  return irradiance;
+}
+
 }  // namespace
 
 Derivatives DerivativesAt(const ContourEngine& engine, ContourQuery query,
                           const EvaluationQuery& evaluation,
                           const DerivativeOptions& options,
-                          OracleWorkspace& workspace) {
+                          bool wants_irradiance, OracleWorkspace& workspace) {
   Derivatives result;
-  workspace.builder.StartBlock({});
   workspace.builder.Build(query, workspace.contour);
-  // In double E is what Evaluate gives, of another contour.
-  if (evaluation.method == Method::kCertified) {
-    result.irradiance = EvaluateContour(query, workspace.contour, evaluation,
-                                        workspace.evaluation);
-  }
-  KinkCandidates candidates =
-      FindKinkPlanes(engine, query, workspace.Lines(engine).Find(query));
-  if (candidates.touched.valid() && !candidates.touched_is_level) {
-    result.smoothness = Smoothness::kDiscontinuous;
-    return result;
-  }
-  if (candidates.touched.valid()) {
+  // E and its gradient have no kink in the receiver plane.
+  const auto find_candidates = [&] {
+    return FindKinkPlanes(
+        engine, query, workspace.Lines(engine).Find(query, options.jacobian));
+  };
+  KinkCandidates candidates = find_candidates();
+  const bool was_touched = candidates.touched.valid();
+  if (was_touched) {
+    if (wants_irradiance) {
+      result.irradiance = EvaluateContour(query, workspace.contour, evaluation,
+                                          workspace.evaluation);
+    }
+    if (!candidates.touched_is_level) {
+      result.smoothness = Smoothness::kDiscontinuous;
+      return result;
+    }
     // For motions on the lit side it is as if the face were not there.
     query.receiver.on_face = candidates.touched.value();
-    candidates =
-        FindKinkPlanes(engine, query, workspace.Lines(engine).Find(query));
+    candidates = find_candidates();
     workspace.builder.Build(query, workspace.contour);
   }
   const Vec3<Exact> normal =
@@ -125,7 +153,6 @@ Derivatives DerivativesAt(const ContourEngine& engine, ContourQuery query,
                                 left_out);
     return planes;
   };
-  // E and its gradient have no kink in the receiver plane.
   const std::vector<KinkPlane> planes =
       options.jacobian ? candidates.planes : planes_but(&KinkPlane::is_level);
   const FieldRegion hemisphere =
@@ -141,10 +168,15 @@ Derivatives DerivativesAt(const ContourEngine& engine, ContourQuery query,
   }
   if (hemisphere.limits)
     TakeKinks(*hemisphere.limits, normal, evaluation.emission, result);
-  const CertifiedNumbers numbers =
+  const FoundComponents found =
       FindComponents({hemisphere, sphere, normal, SurfaceOf(query),
                       evaluation.method, evaluation.emission},
                      options, workspace.evaluation);
+  const CertifiedNumbers& numbers = found.numbers;
+  if (wants_irradiance && !was_touched) {
+    result.irradiance = IrradianceOf(found, query, hemisphere, evaluation,
+                                     workspace.evaluation);
+  }
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const auto of_channel = [channel](const std::vector<double>& of_all) {
       return std::span(of_all).subspan(channel * kComponentCount,

@@ -12,12 +12,13 @@
 
 namespace truelux {
 
-/// E and its derivatives at query.receiver; with Method::kDouble without E.
-/// workspace: of the engine.
+/// E and its derivatives at query.receiver; E if it is wanted, by the sources'
+/// whole contours. workspace: of the engine; what is told to its builder by
+/// StartBlock is used.
 Derivatives DerivativesAt(const ContourEngine& engine, ContourQuery query,
                           const EvaluationQuery& evaluation,
                           const DerivativeOptions& options,
-                          OracleWorkspace& workspace);
+                          bool wants_irradiance, OracleWorkspace& workspace);
 
 }  // namespace truelux
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "exact/angle_sum.h"
@@ -15,13 +17,15 @@
 namespace truelux {
 namespace {
 
-/// What one arc adds to dE/dv of one vertex, for M = 1 / scale.
+/// What one arc adds to dE/dv of one vertex, for M = 1 / scale: the moment times
+/// the direction.
 template <class T>
 struct Term {
   int number = 0;
   SourceId source;
   bool is_of_cut = false;  ///< then only the number counts
-  BallVector<T> moved;
+  Ball<T> moment;
+  BallVector<T> direction;
   std::array<bool, 3> is_zero{};  ///< per axis, exactly
 };
 
@@ -66,7 +70,7 @@ class TermCollector {
     for (const int number : scene_.corner_numbers().subspan(
              static_cast<std::size_t>(face.first_corner),
              static_cast<std::size_t>(face.corner_count))) {
-      terms_.push_back({number, {}, true, {}, {}});
+      terms_.push_back({number, {}, true, {}, {}, {}});
     }
   }
 
@@ -79,8 +83,10 @@ class TermCollector {
     const Ball<T> inverse = Ball<T>(1.0) / Dot(n.vector, n.vector);
     const BallVector<T>& u1 = arcs_.Unit(arc.from);
     const BallVector<T>& u2 = arcs_.Unit(arc.to);
-    const Ball<T> sum = own.a * Dot(normal_, Sum(u1, u2));
-    const Ball<T> difference = own.b * Dot(normal_, Sum(u2, -u1));
+    const Ball<T> rise1 = Dot(normal_, u1);
+    const Ball<T> rise2 = Dot(normal_, u2);
+    const Ball<T> sum = own.a * (rise1 + rise2);
+    const Ball<T> difference = own.b * (rise2 - rise1);
     const Face& face = FacesOf(scene_)[IndexOf(arc.edge_face)];
     const std::array<bool, 3> is_zero = ZerosOfNormal(from, to);
     // y: N x a of the end that moves, or b x N, over N^2.
@@ -92,7 +98,7 @@ class TermCollector {
       const Ball<T> q2 = Dot(share, u2);
       const Ball<T> moment = sum * (q1 + q2) + difference * (q2 - q1);
       terms_.push_back({numbers_.Of(face, vertex, other), source, false,
-                        Times(-moment, own.inward), is_zero});
+                        -moment, own.inward, is_zero});
     };
     const ScaledVector<T> a = FromReceiver(from);
     const ScaledVector<T> b = FromReceiver(to);
@@ -133,20 +139,53 @@ class TermCollector {
   std::vector<Term<T>> terms_;
 };
 
-/// Adds a term to its vertex. factor: 1 / (pi |n|), or 1 / |n|.
+/// One vertex while its terms are added.
 template <class T>
-void AddTerm(const Term<T>& term, const Ball<T>& factor, const Rgb& weight,
-             VertexBall<T>& vertex) {
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    if (weight[channel] == 0) continue;
-    BallVector<T>& slope = vertex.slopes[channel];
-    slope = Sum(slope, Times(factor * Ball<T>(weight[channel]), term.moved));
-    for (std::size_t k = 0; k < 3; ++k) {
-      vertex.is_zero[channel][k] =
-          vertex.is_zero[channel][k] && term.is_zero[k];
+class VertexSum {
+ public:
+  /// common: what all sources emit, if that is the same.
+  explicit VertexSum(const std::optional<Rgb>& common) : common_(common) {
+    for (std::array<bool, 3>& flags : is_zero_)
+      flags.fill(true);
+  }
+
+  void Add(const Term<T>& term, const Rgb& weights) {
+    if (term.is_of_cut) {
+      has_cuts_ = true;
+      return;
+    }
+    if (common_) sums_[0].Add(term.moment, term.direction);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      if (weights[channel] == 0) continue;
+      if (!common_) {
+        sums_[channel].Add(Ball<T>(weights[channel]) * term.moment,
+                           term.direction);
+      }
+      for (std::size_t k = 0; k < 3; ++k)
+        is_zero_[channel][k] = is_zero_[channel][k] && term.is_zero[k];
     }
   }
-}
+
+  /// factor: 1 / (pi |n|), or 1 / |n|.
+  [[nodiscard]] VertexBall<T> Get(int number, const Ball<T>& factor) const {
+    VertexBall<T> vertex;
+    vertex.number = number;
+    vertex.has_cuts = has_cuts_;
+    vertex.is_zero = is_zero_;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const Ball<T> scale =
+          common_ ? factor * Ball<T>((*common_)[channel]) : factor;
+      vertex.slopes[channel] = Times(scale, sums_[common_ ? 0 : channel].Get());
+    }
+    return vertex;
+  }
+
+ private:
+  std::optional<Rgb> common_;
+  std::array<VectorSum<T>, 3> sums_;  ///< only the first if common_
+  std::array<std::array<bool, 3>, 3> is_zero_{};
+  bool has_cuts_ = false;
+};
 
 }  // namespace
 
@@ -156,23 +195,24 @@ std::vector<VertexBall<T>> VertexBallsOf(const WeightedContour& contour,
                                          BallGeometry<T>& geometry) {
   std::vector<Term<T>> terms =
       TermCollector<T>(contour, scene, geometry).Collect();
-  std::ranges::stable_sort(terms, {}, &Term<T>::number);
+  std::vector<std::size_t> order(terms.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {},
+                           [&terms](std::size_t i) { return terms[i].number; });
   const Ball<T> one(1.0);
   Ball<T> factor = one / Length(geometry.receiver_normal());
   if (emission == Emission::kExitance)
     factor = factor * Ball<T>(0.5) / HalfPi<T>();
+  const std::optional<Rgb> common = CommonWeights(contour);
   std::vector<VertexBall<T>> vertices;
-  for (const Term<T>& term : terms) {
-    if (vertices.empty() || vertices.back().number != term.number) {
-      VertexBall<T>& vertex = vertices.emplace_back();
-      vertex.number = term.number;
-      vertex.is_zero.fill({true, true, true});
+  for (std::size_t i = 0; i < order.size();) {
+    const int number = terms[order[i]].number;
+    VertexSum<T> sum(common);
+    for (; i < order.size() && terms[order[i]].number == number; ++i) {
+      const Term<T>& term = terms[order[i]];
+      sum.Add(term, term.is_of_cut ? Rgb{} : contour.WeightOf(term.source));
     }
-    VertexBall<T>& vertex = vertices.back();
-    if (term.is_of_cut)
-      vertex.has_cuts = true;
-    else
-      AddTerm(term, factor, contour.WeightOf(term.source), vertex);
+    vertices.push_back(sum.Get(number, factor));
   }
   return vertices;
 }

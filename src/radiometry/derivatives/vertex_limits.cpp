@@ -198,8 +198,8 @@ VertexDerivative VertexLimits::At(int number) {
                           ? slope.left
                           : rounded(right.slope[channel]);
       }
-      slope.bound = HalfSpacing(
-          std::max(std::fabs(slope.left), std::fabs(slope.right)));
+      slope.bound =
+          HalfSpacing(std::max(std::fabs(slope.left), std::fabs(slope.right)));
     }
   }
   return result;

@@ -88,7 +88,9 @@ class BasicContourBuilder<kKind>::Impl {
         StopIfAsked(query.stop);
         const ContourEngine::Emitter& emitter = engine_.emitters()[e];
         if (!StartSource(emitter.facet)) continue;
-        AddPieces(emitter.shafts, query, CutOf(e));
+        // What a block shares leaves out what is below the horizon.
+        AddPieces(emitter.shafts, query,
+                  query.whole_sphere ? nullptr : CutOf(e));
         FinishSource(emitter.facet);
       }
     } else {

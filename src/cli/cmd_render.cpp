@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "truelux/stop.h"
@@ -15,6 +16,7 @@
 #include "cli/loading.h"
 #include "cli/part_key.h"
 #include "image/extra_picture.h"
+#include "image/kink_jumps.h"
 #include "image/picture.h"
 #include "image/picture_view.h"
 #include "image/pixel_part.h"
@@ -56,6 +58,7 @@ void NoteKept(const PixelPart* part, const PixelReceivers& receivers) {
 }
 
 RenderedPixels RenderShowingProgress(const Oracle& oracle,
+                                     const PictureFrame& frame,
                                      const PixelReceivers& receivers,
                                      const RenderRequest& request,
                                      PixelPart* part) {
@@ -64,9 +67,18 @@ RenderedPixels RenderShowingProgress(const Oracle& oracle,
                           DoneText(*part, receivers)));
   }
   try {
-    Progress progress(PixelCount(receivers), "pixels");
-    return RenderPixels(oracle, receivers, request.wishes, request.threads,
-                        part, progress);
+    RenderedPixels pixels;
+    {
+      Progress progress(PixelCount(receivers), "pixels");
+      pixels = RenderPixels(oracle, receivers, request.wishes, request.threads,
+                            part, progress);
+    }
+    const auto* surface = std::get_if<SurfaceFrame>(&frame.frame);
+    if (request.wishes.gradients && surface != nullptr) {
+      pixels.kinks =
+          FindKinkJumps(oracle, *surface, receivers, request.threads);
+    }
+    return pixels;
   } catch (const Interruption&) {
     NoteKept(part, receivers);
     throw;
@@ -145,7 +157,7 @@ ExitStatus RunRender(const RenderArguments& arguments) {
     part.emplace(request.part, PartKey(request, scene_files),
                  TileGrid(receivers.width(), receivers.height()));
   const RenderedPixels pixels = RenderShowingProgress(
-      oracle, receivers, request, part ? &*part : nullptr);
+      oracle, frame, receivers, request, part ? &*part : nullptr);
 
   NoteDarkness(oracle.scene(), receivers, pixels.image);
   auto file = files.begin();

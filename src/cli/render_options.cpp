@@ -94,8 +94,9 @@ std::vector<OptionRow> OutputOptions(RenderArguments& arguments) {
            "a further picture FILE_error.png, FILE_arcs.png,\n"
            "FILE_class.png or FILE_gradient.png: |double - certified|, the\n"
            "number of arcs of the visible contour, or lit, umbra, penumbra,\n"
-           "conjunctive, or the length of the tangential gradient; may be\n"
-           "given for each",
+           "conjunctive, or the length of the tangential gradient, of a\n"
+           "surface with lines where the gradient jumps; may be given for\n"
+           "each",
        .choices = {"error", "arcs", "class", "gradient"}},
       {.name = "--resume",
        .target = &arguments.resume,

@@ -12,6 +12,7 @@
 #include "explain/shadow_class.h"
 #include "image/false_colour.h"
 #include "image/image_legend.h"
+#include "image/kink_lines.h"
 #include "image/png_image.h"
 #include "image/raster.h"
 #include "image/scalar_raster.h"
@@ -49,15 +50,17 @@ std::string ErrorPicture(const RenderedPixels& pixels,
 }
 
 /// The scale ends at a quantile: near where an edge touches the surface
-/// gradients have no limit.
+/// gradients have no limit. Kinks count from what one of 256 steps of the scale
+/// shows.
 std::string GradientPicture(const RenderedPixels& pixels,
                             std::optional<ScalarChannel> channel) {
   constexpr double kShown = 0.99;
-  const Raster<double> values =
-      Scalars(pixels.image, pixels.gradients, [&](const Rgb& length) {
-        return channel ? ScalarOf(length, *channel)
-                       : *std::ranges::max_element(length);
-      });
+  constexpr double kSteps = 256;
+  const auto shown = [&](const Rgb& length) {
+    return channel ? ScalarOf(length, *channel)
+                   : *std::ranges::max_element(length);
+  };
+  const Raster<double> values = Scalars(pixels.image, pixels.gradients, shown);
   std::vector<double> positive;
   for (const double value : values.pixels()) {
     if (value > 0 && std::isfinite(value)) positive.push_back(value);
@@ -65,12 +68,22 @@ std::string GradientPicture(const RenderedPixels& pixels,
   const double top =
       positive.empty() ? 1 : Quantile(std::move(positive), kShown);
   const ColourScale scale = ColourScale::Linear(top);
-  const ImageLegend legend = {
+  ImageLegend legend = {
       {"|tangential gradient|", channel ? Name(*channel) : "largest channel",
        "[W/m^3]", fmt::format("max {:.3g}", LargestOf(values))},
       scale,
       {}};
-  return PngImage(WithLegend(Coloured(values, scale), legend));
+  Raster<Rgba8> picture = Coloured(values, scale);
+  if (pixels.kinks && !pixels.kinks->is_left_out) {
+    DrawKinkLines(picture, Scalars(pixels.image, pixels.kinks->lengths, shown),
+                  top / kSteps);
+    legend.swatches.push_back({kKinkColour, "the gradient jumps", true});
+    if (pixels.kinks->is_partial)
+      legend.title.emplace_back("some kinks not drawn");
+  } else if (pixels.kinks) {
+    legend.title.emplace_back("kinks not drawn");
+  }
+  return PngImage(WithLegend(picture, legend));
 }
 
 std::string ArcsPicture(const RenderedPixels& pixels) {

@@ -18,7 +18,8 @@ enum class ExtraPicture {
   kError,     ///< |double - certified|
   kArcs,      ///< number of arcs of the visible contour
   kClass,     ///< lit, umbra, penumbra, ...
-  kGradient,  ///< length of the tangential gradient
+  kGradient,  ///< length of the tangential gradient, with its kinks if they
+              ///< were found
 };
 
 inline constexpr std::array kExtraPictures = {

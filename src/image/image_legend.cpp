@@ -67,8 +67,7 @@ class LegendPainter {
       y = bottom + scale_ * kGap;
     }
     for (const Swatch& swatch : legend_.swatches) {
-      Fill(x, y, x + scale_ * kBarWidth, y + scale_ * kGlyphHeight,
-           swatch.colour);
+      PaintSwatch(x, y, swatch);
       DrawText(result_, x + scale_ * (kBarWidth + kGap), y, scale_, swatch.text,
                kInk);
       y += scale_ * kLine;
@@ -104,6 +103,18 @@ class LegendPainter {
       for (int x = left; x < right; ++x)
         result_.At(x, y) = colour;
     }
+  }
+
+  void PaintSwatch(int x, int y, const Swatch& swatch) {
+    const int right = x + scale_ * kBarWidth;
+    const int bottom = y + scale_ * kGlyphHeight;
+    if (!swatch.is_framed) {
+      Fill(x, y, right, bottom, swatch.colour);
+      return;
+    }
+    Fill(x, y, right, bottom, kInk);
+    Fill(x + scale_, y + scale_, right - scale_, bottom - scale_,
+         swatch.colour);
   }
 
   /// The scale from `bottom` up to `top`, with half a character of room for

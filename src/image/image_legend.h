@@ -18,6 +18,7 @@ namespace truelux {
 struct Swatch {
   Rgba8 colour;
   std::string text;
+  bool is_framed = false;  ///< in ink, if it is as light as the paper
 };
 
 struct ImageLegend {

@@ -5,11 +5,13 @@
 #define TRUELUX_IMAGE_RENDERED_PIXELS_H_
 
 #include <cstdint>
+#include <optional>
 
 #include "truelux/geometry.h"
 
 #include "explain/shadow_class.h"
 #include "image/irradiance_image.h"
+#include "image/kink_jumps.h"
 #include "image/raster.h"
 
 namespace truelux {
@@ -22,6 +24,9 @@ struct RenderedPixels {
   Raster<std::int32_t> arcs;  ///< 0 where there is no receiver
   Raster<ShadowClass> classes;
   Raster<Rgb> gradients;  ///< lengths of tangential gradients [W/m^3]
+  /// How far these jump, on a surface; RenderPixels leaves that to
+  /// FindKinkJumps.
+  std::optional<KinkJumps> kinks;
 };
 
 }  // namespace truelux

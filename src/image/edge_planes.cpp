@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
-#include <span>
 #include <tuple>
 #include <utility>
 
@@ -13,6 +13,7 @@
 #include "exact/rational.h"
 #include "exact/sign.h"
 #include "exact/vec3.h"
+#include "run/interrupt.h"
 #include "scene/newell.h"
 
 namespace truelux {
@@ -87,6 +88,7 @@ class Finder {
     found_.is_complete = count <= most_lines;
     if (found_.is_complete) {
       for (std::size_t i = 0; i < count; ++i) {
+        StopIfInterrupted();
         for (std::size_t j = i + 1; j < count; ++j)
           AddPair(static_cast<int>(i), static_cast<int>(j));
       }
@@ -114,6 +116,7 @@ class Finder {
     };
     std::map<Key, int> lines;
     for (const Ends& ends : OutlinesOf(scene_)) {
+      StopIfInterrupted();
       if (is_level(ends[0]) && is_level(ends[1])) continue;
       const PrimitiveVector along = WithoutSign(
           MakePrimitive(Displacement<Exact>(At(ends[0]), At(ends[1]))));
@@ -135,6 +138,7 @@ class Finder {
         lines_at[end].insert(edge.line);
     }
     for (const auto& [vertex, lines] : lines_at) {
+      StopIfInterrupted();
       for (auto i = lines.begin(); i != lines.end(); ++i) {
         for (auto j = std::next(i); j != lines.end(); ++j)
           AddPair(*i, *j);

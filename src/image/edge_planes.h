@@ -47,7 +47,8 @@ struct EdgePlanes {
 ///
 /// surface: three corners in the plane of the surface. Edges that lie in that
 /// plane are left out, since what is on a receiver's horizon has no weight.
-/// most_lines: with more lines pairs are only looked for at vertices.
+/// most_lines: with more lines pairs are only looked for at vertices. Throws
+/// Interruption.
 [[nodiscard]] EdgePlanes EdgePlanesOf(const Scene& scene,
                                       const std::array<Point3, 3>& surface,
                                       std::size_t most_lines = 1024);

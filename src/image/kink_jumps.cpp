@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -19,7 +18,6 @@
 #include "image/edge_planes.h"
 #include "image/plane_sight.h"
 #include "image/surface_trace.h"
-#include "run/interrupt.h"
 #include "run/parallel.h"
 #include "run/progress.h"
 #include "scene/emitters.h"

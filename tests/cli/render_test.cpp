@@ -163,6 +163,19 @@ TEST_F(Render, ThreadsChangeNoByte) {
   }
 }
 
+TEST_F(Render, ThreadsChangeNoByteOfKinkLines) {
+  std::vector<std::string> pictures;
+  for (const char* threads : {"1", "5"}) {
+    ASSERT_EQ(Run({"--surface", "floor", "--size", "40", "-o", Path("a.png"),
+                   "--also", "gradient", "--threads", threads})
+                  .exit_status,
+              0);
+    pictures.push_back(ReadFile(Path("a_gradient.png")));
+  }
+  EXPECT_FALSE(pictures[0].empty());
+  EXPECT_EQ(pictures[0], pictures[1]);
+}
+
 TEST_F(Render, AUniformSkyGivesTheSameEverywhere) {
   // A closed box of side 20 that shines inwards: E = M at any receiver.
   folder_.Write("room.mtl", "newmtl sky\nKe 1 0.25 0.1\nnewmtl b\nKd 1 1 1\n");
@@ -292,7 +305,8 @@ TEST(RenderHelp, SaysWhatFilesHold) {
   const Outcome help = RunTruelux({"render", "--help"});
   EXPECT_EQ(help.exit_status, 0);
   for (const char* part :
-       {"Examples:\n", "rounded\nonce more", "--receivers-out", "--also"})
+       {"Examples:\n", "rounded\nonce more", "--receivers-out", "--also",
+        "lines where the gradient jumps"})
     EXPECT_NE(help.out.find(part), std::string::npos) << help.out;
 }
 

@@ -54,7 +54,10 @@ struct Floor {
   }
 
   [[nodiscard]] Vector3 GradientAt(double x, double y) const {
-    return oracle.Derivatives({{x, y, 0}, {0, 0, 1}, 1}).channels[0].tangential;
+    const DerivativeOptions options{.sphere = false, .jacobian = false};
+    return oracle.Derivatives({{x, y, 0}, {0, 0, 1}, 1}, options)
+        .channels[0]
+        .tangential;
   }
 
   Oracle oracle;

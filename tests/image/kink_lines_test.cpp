@@ -4,8 +4,16 @@
 #include "image/kink_lines.h"
 
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
+
+#include "image/extra_picture.h"
+#include "image/kink_jumps.h"
+#include "image/rendered_pixels.h"
 
 namespace truelux {
 namespace {
@@ -35,6 +43,35 @@ TEST(KinkLines, LinesSideBySideStayWhite) {
   DrawKinkLines(picture, Raster<double>(2, 1, 3.0), 3);
   EXPECT_EQ(picture.At(0, 0), kKinkColour);
   EXPECT_EQ(picture.At(1, 0), kKinkColour);
+}
+
+/// The picture of the gradient, all pixels of it 1, of which one jumps by 2.
+std::string PictureWith(std::optional<KinkJumps> kinks) {
+  RenderedPixels pixels;
+  pixels.image.values = Raster<Rgb>(8, 8);
+  pixels.image.covered = Raster<std::uint8_t>(8, 8, 1);
+  pixels.gradients = Raster<Rgb>(8, 8, {1, 1, 1});
+  pixels.kinks = std::move(kinks);
+  return ExtraPictureOf(ExtraPicture::kGradient, pixels, std::nullopt);
+}
+
+TEST(KinkLines, PicturesSayWhatIsDrawn) {
+  KinkJumps kinks;
+  kinks.lengths = Raster<Rgb>(8, 8);
+  const std::string none = PictureWith(kinks);
+  EXPECT_NE(none, PictureWith(std::nullopt));  // the legend
+  // Below and above a 256th of the scale, in one channel.
+  kinks.lengths.At(3, 4) = {0, 0.9 / 256, 0};
+  EXPECT_EQ(PictureWith(kinks), none);
+  kinks.lengths.At(3, 4) = {0, 1.1 / 256, 0};
+  const std::string drawn = PictureWith(kinks);
+  EXPECT_NE(drawn, none);
+  kinks.is_partial = true;
+  const std::string partial = PictureWith(kinks);
+  EXPECT_NE(partial, drawn);
+  kinks.is_left_out = true;
+  EXPECT_NE(PictureWith(kinks), partial);
+  EXPECT_NE(PictureWith(kinks), PictureWith(std::nullopt));
 }
 
 }  // namespace

@@ -158,21 +158,22 @@ TEST(Pitfalls, VectorAndJacobianHaveOppositeNormals) {
   EXPECT_GT(d.channels[0].normal.x, 0);
 }
 
-// Between two blockers at heights 1 and 1.5 a slit of 2^-60 m is open: no
-// rounded number tells the sides of its edges. E is its width times the slope
-// with which it opens.
+// Two blockers at heights 1 and 1.5 close a slit as seen from the origin. At
+// 2^-70 m beside it no rounded number tells the sides of its edges. E is the
+// slope with which it opens times the way.
 TEST(Pitfalls, SidesOfASlitAreExact) {
-  constexpr double kGap = 0x1p-60;
-  const Scene scene = MakeScene({{Ceiling(-2, 2, -1, 1, 2), kUnit},
-                                 {Ceiling(-3, 0, -4, 4, 1), kBlack},
-                                 {Ceiling(kGap, 3, -6, 6, 1.5), kBlack}});
-  const double line = LineSlope(2, 0, -1, 1);
-  // In the lamp's plane the edges are at -r_x and (4 gap - r_x) / 3.
-  for (const Vector3& g : GradientsOf(scene, kOriginUp)) {
-    EXPECT_NEAR(g.x, line * (2.0 - 4.0 / 3), 1e-15);
+  constexpr double kWay = 0x1p-70;
+  const Scene scene = MakeScene({{Ceiling(-2, 4, -1, 1, 2), kUnit},
+                                 {Ceiling(-3, 1, -4, 4, 1), kBlack},
+                                 {Ceiling(1.5, 6, -6, 6, 1.5), kBlack}});
+  const Receiver receiver{{kWay, 0, 0}, {0, 0, 1}, 0};
+  // In the lamp's plane the edges are 2 r_x and (4/3) r_x to the left.
+  const double slope = LineSlope(2, 2, -1, 1) * (2.0 - 4.0 / 3);
+  for (const Vector3& g : GradientsOf(scene, receiver)) {
+    EXPECT_NEAR(g.x, slope, 1e-15);
     EXPECT_NEAR(g.y, 0, 1e-15);
   }
-  EXPECT_NEAR(Evaluate(scene, kOriginUp)[0] / kGap, line * 4 / 3, 1e-15);
+  EXPECT_NEAR(Evaluate(scene, receiver)[0] / kWay, slope, 1e-15);
 }
 
 // The edge of the shadow moves by the blocker's distance, not by the lamp's.

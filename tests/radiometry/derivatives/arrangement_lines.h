@@ -22,7 +22,7 @@
 
 namespace truelux::testing {
 
-/// Makes contours with lines.
+/// Makes contours with lines, for scenes of planar faces.
 class ArrangementLines {
  public:
   /// scene: must outlive the object.
@@ -144,12 +144,19 @@ class ArrangementLines {
       for (const FaceId id : FacesOf(scene_).ids())
         faces.push_back(NumberOf(id));
     }
+    // Of several edges in the plane the nearest: what is between r and the
+    // source would be seen, what is behind the source is not.
+    std::optional<PlaneRecipe> nearest;
     for (const FaceNumber candidate : faces) {
-      if (const auto edge = EdgeOf(exact, normal, middle, candidate)) {
-        ++edges_;
-        face = candidate;
-        return *edge;
-      }
+      const auto edge = EdgeOf(exact, normal, middle, candidate);
+      if (!edge || (nearest && !IsNearer(exact, middle, *edge, *nearest)))
+        continue;
+      nearest = edge;
+      face = candidate;
+    }
+    if (nearest) {
+      ++edges_;
+      return *nearest;
     }
     for (const FaceNumber candidate : faces) {
       if (const auto cut = CutOf(exact, normal, source, candidate)) {
@@ -171,26 +178,42 @@ class ArrangementLines {
     return all;
   }
 
+  /// Of the outline of a face: where one goes through its diagonal, that is no
+  /// edge.
   [[nodiscard]] std::optional<PlaneRecipe> EdgeOf(
       const RecipeEvaluator<Exact>& exact, const Vec3<Exact>& normal,
-      const Vec3<Exact>& middle, FaceNumber face) const {
-    for (const TriangleId t : TrianglesOfFace(face)) {
-      const auto corners = CornersOf(TrianglesOf(scene_)[t]);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const VertexId a = corners[k];
-        const VertexId b = corners[(k + 1) % 3];
-        const PlaneRecipe edge = PlaneRecipe::OfEdge(a, b);
-        const Vec3<Exact> own = exact.Plane(edge, {});
-        if (IsZero(own) || !IsZero(Cross(own, normal))) continue;
-        const bool is_between =
-            SignOf(Determinant(exact.FromReceiver(a), middle, own)) ==
-                Sign::kPositive &&
-            SignOf(Determinant(middle, exact.FromReceiver(b), own)) ==
-                Sign::kPositive;
-        if (is_between) return edge;
-      }
+      const Vec3<Exact>& middle, FaceNumber number) const {
+    const Face& face = FacesOf(scene_)[IndexOf(number)];
+    const auto count = static_cast<std::size_t>(face.corner_count);
+    const auto ring = scene_.corners().subspan(
+        static_cast<std::size_t>(face.first_corner), count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const VertexId a(ring[k]);
+      const VertexId b(ring[(k + 1) % count]);
+      const PlaneRecipe edge = PlaneRecipe::OfEdge(a, b);
+      const Vec3<Exact> own = exact.Plane(edge, {});
+      if (IsZero(own) || !IsZero(Cross(own, normal))) continue;
+      const bool is_between =
+          SignOf(Determinant(exact.FromReceiver(a), middle, own)) ==
+              Sign::kPositive &&
+          SignOf(Determinant(middle, exact.FromReceiver(b), own)) ==
+              Sign::kPositive;
+      if (is_between) return edge;
     }
     return std::nullopt;
+  }
+
+  /// Whether the edge of a is nearer than that of b in a direction d of their
+  /// plane: 1/rho = d . (L x N) / N^2.
+  static bool IsNearer(const RecipeEvaluator<Exact>& exact,
+                       const Vec3<Exact>& d, const PlaneRecipe& a,
+                       const PlaneRecipe& b) {
+    const Vec3<Exact> n_a = exact.Plane(a, {});
+    const Vec3<Exact> n_b = exact.Plane(b, {});
+    const Vec3<Exact> l_a = exact.FromVertex(a.from(), a.to());
+    const Vec3<Exact> l_b = exact.FromVertex(b.from(), b.to());
+    return SignOf(Dot(d, Cross(l_a, n_a)) * Dot(n_b, n_b) -
+                  Dot(d, Cross(l_b, n_b)) * Dot(n_a, n_a)) == Sign::kPositive;
   }
 
   /// Where a face goes through the plane of a source.

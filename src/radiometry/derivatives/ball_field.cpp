@@ -146,21 +146,21 @@ class FieldSummer {
     const BallArc<T> own = arcs_.At(arc);
     sum.vector.Add(Ball<T>(0.5) * own.angle, own.inward);
     if (!HasPosition() || IsHorizon(arc.plane)) return;
-    // K = W G = a (u1 + u2) + b (u2 - u1).
+    // K = W G = a (u1 + u2) + b (u2 - u1). On a short arc b is known badly, but
+    // what it is a factor of is short.
     const BallVector<T>& u1 = arcs_.Unit(arc.from);
     const BallVector<T>& u2 = arcs_.Unit(arc.to);
     const Ball<T> q1 = Dot(inverses_[arc.plane], u1);
     const Ball<T> q2 = Dot(inverses_[arc.plane], u2);
     const Ball<T> a = own.a * (q1 + q2);
     const Ball<T> b = own.b * (q2 - q1);
-    const Ball<T> first = a - b;
-    const Ball<T> last = a + b;
     if (!parts_.jacobian) {
-      sum.moment.Add(first * rises_[arc.from] + last * rises_[arc.to],
-                     own.inward);
+      const Ball<T>& rise1 = rises_[arc.from];
+      const Ball<T>& rise2 = rises_[arc.to];
+      sum.moment.Add(a * (rise1 + rise2) + b * (rise2 - rise1), own.inward);
       return;
     }
-    const BallVector<T> k = Combined(first, u1, last, u2);
+    const BallVector<T> k = Combined(a, Sum(u1, u2), b, Sum(u2, -u1));
     for (std::size_t p = 0; p < 3; ++p)
       sum.jacobian[p].Add(Component(k, p), own.inward);
   }

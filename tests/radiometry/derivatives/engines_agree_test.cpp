@@ -114,7 +114,7 @@ class Twin {
         RecipeEvaluator<Exact>(ViewOf(query)).ReceiverNormal();
     EvaluationWorkspace workspace;
     const CertifiedNumbers found =
-        FindComponents({hemisphere, sphere, n, n}, {}, workspace);
+        FindComponents({hemisphere, sphere, n, n}, {}, workspace).numbers;
     EXPECT_EQ(found.undecided, expected.undecided);
     for (std::size_t channel = 0; channel < 3; ++channel) {
       const auto values = ComponentsOf(expected.channels[channel]);

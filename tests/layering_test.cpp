@@ -206,10 +206,26 @@ TEST(Layering, OneFileSeesTheCommandLineParser) {
   EXPECT_EQ(users, std::vector<std::string>{"src/cli/parser.cpp"});
 }
 
+TEST(Layering, BindingsUseThePublicHeadersOnly) {
+  std::size_t checked = 0;
+  for (const Source& source : SourcesIn("bindings")) {
+    const fs::path folder = fs::path(source.path).parent_path();
+    for (const std::string& include : IncludesOf(source)) {
+      if (!include.starts_with("\"")) continue;
+      const std::string name = include.substr(1);
+      ++checked;
+      EXPECT_TRUE(name.starts_with("truelux/") ||
+                  fs::exists(fs::path(TRUELUX_SOURCE_DIR) / folder / name))
+          << source.path << " includes " << name;
+    }
+  }
+  EXPECT_GT(checked, 20U);
+}
+
 TEST(Layering, EveryFileNamesItsLicenceFirst) {
   std::size_t checked = 0;
   for (const char* folder :
-       {"include", "src", "tests", "bench", "examples", "fuzz"}) {
+       {"include", "src", "tests", "bench", "examples", "fuzz", "bindings"}) {
     for (const Source& source : SourcesIn(folder)) {
       ++checked;
       ASSERT_FALSE(source.lines.empty()) << source.path;
@@ -223,7 +239,7 @@ TEST(Layering, EveryFileNamesItsLicenceFirst) {
 
 TEST(Layering, FilesAreShortEnoughToRead) {
   for (const char* folder :
-       {"include", "src", "tests", "bench", "examples", "fuzz"}) {
+       {"include", "src", "tests", "bench", "examples", "fuzz", "bindings"}) {
     for (const Source& source : SourcesIn(folder)) {
       EXPECT_LE(source.lines.size(), kMaxLines) << source.path;
     }

@@ -57,7 +57,7 @@ lane_tsan() {
 sources() {
   local ending
   for ending in "$@"; do
-    find include src tests bench examples fuzz -name "*.$ending"
+    find include src tests bench examples fuzz bindings -name "*.$ending"
   done | sort
 }
 

@@ -17,9 +17,10 @@ if [[ "${1:-}" == --all ]]; then
 fi
 
 lock_build
-need_packages run test browser
-if ! is_configured || [[ "$(cache_value TRUELUX_BUILD_TESTS)" != ON ]]; then
-  configure -DTRUELUX_BUILD_TESTS=ON
+need_packages run test browser python
+if ! is_configured || [[ "$(cache_value TRUELUX_BUILD_TESTS)" != ON ]] ||
+  [[ "$(cache_value TRUELUX_BUILD_PYTHON)" != ON ]]; then
+  configure -DTRUELUX_BUILD_TESTS=ON -DTRUELUX_BUILD_PYTHON=ON
 fi
 build_targets all
 release_build

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Defects of inputs as one exception, and calls that end on Ctrl-C.
+
+#ifndef TRUELUX_BINDINGS_PYTHON_ERRORS_H_
+#define TRUELUX_BINDINGS_PYTHON_ERRORS_H_
+
+#include <pybind11/pybind11.h>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace truelux::python {
+
+/// What cannot be used, one line per defect. Python sees truelux.Error.
+class InputError : public std::runtime_error {
+ public:
+  explicit InputError(std::vector<std::string> defects);
+
+  [[nodiscard]] const std::vector<std::string>& defects() const {
+    return defects_;
+  }
+
+ private:
+  std::vector<std::string> defects_;
+};
+
+/// Adds truelux.Error to the module and translates exceptions of the library.
+void BindErrors(pybind11::module_& module);
+
+}  // namespace truelux::python
+
+#endif  // TRUELUX_BINDINGS_PYTHON_ERRORS_H_

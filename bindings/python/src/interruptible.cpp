@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "interruptible.h"
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace truelux::python {
+namespace {
+
+// A signal handler reaches nothing but what is global. Only the main thread
+// writes these, one call at a time.
+std::atomic<StopFlag*> asked_to_stop = nullptr;
+struct sigaction before = {};
+
+extern "C" void OnInterrupt(int signal, siginfo_t* info, void* context) {
+  if (StopFlag* flag = asked_to_stop.load()) flag->store(true);
+  if ((before.sa_flags & SA_SIGINFO) != 0) {
+    before.sa_sigaction(signal, info, context);
+  } else if (before.sa_handler != SIG_DFL && before.sa_handler != SIG_IGN) {
+    before.sa_handler(signal);
+  }
+}
+
+bool IsMainThread() {
+  const auto threading = pybind11::module_::import("threading");
+  return threading.attr("current_thread")().is(threading.attr("main_thread")());
+}
+
+}  // namespace
+
+Interruptible::Interruptible() {
+  // An interrupt that Python does not handle ends the process, or nothing does.
+  if (IsMainThread() && sigaction(SIGINT, nullptr, &before) == 0 &&
+      ((before.sa_flags & SA_SIGINFO) != 0 ||
+       (before.sa_handler != SIG_DFL && before.sa_handler != SIG_IGN))) {
+    struct sigaction action = {};
+    action.sa_sigaction = OnInterrupt;
+    action.sa_flags = SA_SIGINFO | SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    asked_to_stop.store(&flag_);
+    handles_ = sigaction(SIGINT, &action, nullptr) == 0;
+  }
+  unlocked_.emplace();
+}
+
+Interruptible::~Interruptible() {
+  unlocked_.reset();
+  if (!handles_) return;
+  sigaction(SIGINT, &before, nullptr);
+  asked_to_stop.store(nullptr);
+}
+
+void ForBlocks(std::size_t count, int threads,
+               const std::function<void(std::size_t, std::size_t)>& work) {
+  const std::size_t blocks = (count + kBlock - 1) / kBlock;
+  const auto block = [&](std::size_t b) {
+    const std::size_t first = b * kBlock;
+    work(first, std::min(kBlock, count - first));
+  };
+  if (blocks <= 1 || threads == 1) {
+    for (std::size_t b = 0; b < blocks; ++b)
+      block(b);
+    return;
+  }
+  const auto all = [&] { tbb::parallel_for(std::size_t{0}, blocks, block); };
+  if (threads == 0) {
+    all();
+    return;
+  }
+  // The control allows more threads than there are cores, if so wished.
+  const tbb::global_control control(
+      tbb::global_control::max_allowed_parallelism,
+      static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  arena.execute(all);
+}
+
+}  // namespace truelux::python

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Long calls without the interpreter's lock, over threads, that Ctrl-C ends.
+
+#ifndef TRUELUX_BINDINGS_PYTHON_INTERRUPTIBLE_H_
+#define TRUELUX_BINDINGS_PYTHON_INTERRUPTIBLE_H_
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <pybind11/pybind11.h>
+
+#include "truelux/stop.h"
+
+namespace truelux::python {
+
+/// Receivers are handed to the library in blocks of so many: near ones share
+/// work there, and a block is what a thread takes at a time.
+inline constexpr std::size_t kBlock = 64;
+
+/// While it lives, the interpreter's lock is free, and SIGINT sets flag() and
+/// goes on to the handler that was there. Only in the main thread, where Python
+/// looks at signals; elsewhere the flag stays false. Throws nothing.
+class Interruptible {
+ public:
+  Interruptible();
+  ~Interruptible();
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+
+  /// For OracleOptions::stop and ReadOptions::stop.
+  [[nodiscard]] const StopFlag* flag() const { return &flag_; }
+
+ private:
+  StopFlag flag_ = false;
+  bool handles_ = false;
+  std::optional<pybind11::gil_scoped_release> unlocked_;
+};
+
+/// work(first, count) for blocks of at most kBlock that make up [0, count), on
+/// any threads, at most `threads`; 0: as many as there are cores. In the
+/// calling thread if there is one block. Ends with what work throws.
+void ForBlocks(std::size_t count, int threads,
+               const std::function<void(std::size_t, std::size_t)>& work);
+
+}  // namespace truelux::python
+
+#endif  // TRUELUX_BINDINGS_PYTHON_INTERRUPTIBLE_H_

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Arguments as the arrays that the library takes."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Iterable
+
+import numpy as np
+
+from ._truelux import Error
+
+
+class Note(UserWarning):
+    """How an input was read: what truelux eval prints as a note."""
+
+
+def error(*defects: str) -> Error:
+    """The exception for these defects."""
+    exception = Error("\n".join(defects))
+    exception.defects = list(defects)
+    return exception
+
+
+def warn(notes: Iterable[str]) -> None:
+    """Notes as warnings, with the line of whoever called truelux."""
+    for note in notes:
+        warnings.warn(note, Note, stacklevel=3)
+
+
+def numbers(values, name: str) -> np.ndarray:
+    """An array of binary64, without a copy if it is one."""
+    array = np.asarray(values)
+    if array.dtype == np.float64:
+        return array
+    if array.dtype.kind not in "fiu":
+        raise error(f"{name}: expected real numbers, found {array.dtype}")
+    return array.astype(np.float64)
+
+
+def triples(values, name: str) -> np.ndarray:
+    """The same of the shape (..., 3)."""
+    array = numbers(values, name)
+    if array.ndim == 0 or array.shape[-1] != 3:
+        raise error(
+            f"{name}: expected the shape (..., 3), found {array.shape}")
+    return array
+
+
+def broadcast(name: str, shape: tuple, array: np.ndarray) -> np.ndarray:
+    """Triples over a leading shape, as rows."""
+    if array.shape[:-1] != shape:
+        try:
+            array = np.broadcast_to(array, shape + (3,))
+        except ValueError:
+            raise error(f"{name}: the shape {array.shape} does not go with "
+                        f"{shape + (3,)}") from None
+    return array.reshape(-1, 3)
+
+
+def receivers(points, normals) -> tuple[np.ndarray, np.ndarray, tuple]:
+    """Points and normals as rows, and their common leading shape."""
+    points = triples(points, "points")
+    normals = triples(normals, "normals")
+    try:
+        shape = np.broadcast_shapes(points.shape[:-1], normals.shape[:-1])
+    except ValueError:
+        raise error(f"points and normals: the shapes {points.shape} and "
+                    f"{normals.shape} do not go together") from None
+    return (broadcast("points", shape, points),
+            broadcast("normals", shape, normals), shape)
+
+
+_NO_FACE = np.zeros(1, dtype=np.int64)
+
+
+def faces(scene, on_face, points, normals, shape, threads) -> np.ndarray:
+    """Face numbers: one for all receivers, or one each."""
+    if on_face is None:
+        return _NO_FACE
+    if isinstance(on_face, str):
+        name = None if on_face == "auto" else on_face
+        found = scene._shared.faces_near(points, normals, name, None, threads)
+        if name is not None and found.size and not found.any():
+            raise error(f"on_face: no face with an area has the name '{name}'")
+        return found
+    given = np.asarray(on_face)
+    if given.dtype.kind not in "iu":
+        raise error("on_face: expected None, 'auto', a name, or face numbers")
+    if given.ndim == 0:
+        return given.reshape(1).astype(np.int64)
+    try:
+        given = np.broadcast_to(given, shape)
+    except ValueError:
+        raise error(f"on_face: the shape {given.shape} does not go with "
+                    f"{shape}") from None
+    return np.ascontiguousarray(given, dtype=np.int64).reshape(-1)

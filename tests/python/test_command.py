@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""python3 -m truelux over files."""
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from conftest import UP, columns_of, obj_of, run, table_of
+
+
+def command(*words):
+    return subprocess.run([sys.executable, "-m", "truelux", *map(str, words)],
+                          capture_output=True, text=True)
+
+
+def test_npy_npz_and_csv_give_the_same(tmp_path, scene, oracle, grid):
+    obj = obj_of(tmp_path, scene)
+    expected = oracle.irradiance(grid, UP)
+    normals = np.broadcast_to(UP, grid.shape)
+    np.save(tmp_path / "in.npy", np.concatenate([grid, normals], axis=-1))
+    np.savez(tmp_path / "in.npz", points=grid, normals=UP)
+    (tmp_path / "in.csv").write_text(table_of(grid, UP))
+    for source in ("in.npy", "in.npz", "in.csv"):
+        done = command("eval", obj, tmp_path / source, "-o", tmp_path / "e.npy")
+        assert done.returncode == 0, done.stderr
+        e = np.load(tmp_path / "e.npy")
+        np.testing.assert_array_equal(e.reshape(-1, 3), expected.reshape(-1, 3))
+    done = command("eval", obj, tmp_path / "in.npy", "-o", tmp_path / "e.csv",
+                   "--threads", 2, "--progress")
+    assert done.returncode == 0, done.stderr
+    np.testing.assert_array_equal(
+        columns_of((tmp_path / "e.csv").read_text(), "E_r", "E_g", "E_b"),
+        expected.reshape(-1, 3))
+
+
+def test_gradients(tmp_path, scene, oracle, grid):
+    obj = obj_of(tmp_path, scene)
+    np.savez(tmp_path / "in.npz", points=grid, normals=UP,
+             on_face=np.zeros((6, 5), int))
+    done = command("gradient", obj, tmp_path / "in.npz", "-o",
+                   tmp_path / "g.npz", "--of", "gradient,flux")
+    assert done.returncode == 0, done.stderr
+    d = oracle.derivatives(grid, UP)
+    with np.load(tmp_path / "g.npz") as found:
+        assert found.files == ["E", "status", "gradient", "flux"]
+        np.testing.assert_array_equal(found["gradient"], d.gradient)
+        np.testing.assert_array_equal(found["flux"], d.flux)
+    done = command("gradient", obj, tmp_path / "in.npz", "-o",
+                   tmp_path / "g.csv", "--of", "jacobian")
+    assert done.returncode == 0, done.stderr
+    text = run("gradient", obj, "-", "--of", "jacobian",
+               text=table_of(grid, UP))
+    np.testing.assert_array_equal(
+        columns_of((tmp_path / "g.csv").read_text(), "jacobian_g_xy"),
+        columns_of(text, "J_g_xy"))
+
+
+@pytest.mark.parametrize("source, output, words", [
+    ("in.txt", "e.npy", "in.txt: expected a name that ends with"),
+    ("wide.npy", "e.npy", "expected the shape (..., 6)"),
+    ("empty.npz", "e.npy", "no array points and no array normals"),
+    ("in.csv", "e.txt", "e.txt: expected a name that ends with"),
+    ("half.csv", "e.npy", "half.csv:1: the header lacks nz"),
+    ("word.csv", "e.npy", "word.csv:3: could not convert"),
+    ("junk.npy", "e.npy", "junk.npy:"),
+    ("none.npy", "e.npy", "No such file"),
+])
+def test_bad_input_is_one_line_and_nothing_is_written(tmp_path, scene, grid,
+                                                      source, output, words):
+    obj = obj_of(tmp_path, scene)
+    (tmp_path / "in.txt").write_text("x")
+    np.save(tmp_path / "wide.npy", np.zeros((3, 7)))
+    np.savez(tmp_path / "empty.npz")
+    (tmp_path / "in.csv").write_text(table_of(grid, UP))
+    (tmp_path / "half.csv").write_text("x,y,z,nx,ny\n0,0,0,0,0\n")
+    (tmp_path / "word.csv").write_text(
+        "x,y,z,nx,ny,nz\n0,0,0,0,0,1\n0,a,0,0,0,1\n")
+    (tmp_path / "junk.npy").write_bytes(b"junk")
+    before = sorted(p.name for p in tmp_path.iterdir())
+    done = command("eval", obj, tmp_path / source, "-o", tmp_path / output)
+    assert done.returncode == 2
+    assert words in done.stderr and "Traceback" not in done.stderr
+    assert sorted(p.name for p in tmp_path.iterdir()) == before

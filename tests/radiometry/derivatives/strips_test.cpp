@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -174,7 +174,7 @@ TEST(Strips, ASlitThatJustCloses) {
               expected, 1e-16);
 }
 
-/// The lamp behind an edge-on wall from z = 1 to 1.5 that hides all of its line.
+/// The lamp behind an edge-on wall from z = 1 to 1.5 that hides all of a line.
 std::vector<TestFace> EdgeOnWall(const Rgb& front) {
   return {{Ceiling(-2, 2, -1, 1, 2), kUnit},
           {{{0, -4, 1}, {0, 4, 1}, {0, 4, 1.5}, {0, -4, 1.5}}, front}};
@@ -218,9 +218,9 @@ TEST(Strips, TwoEdgesThatMeet) {
   EXPECT_EQ(counts.corners, 2);
 }
 
+// A wall that leans towards the receiver pierces the lamp along x = 0, and is
+// cut there; an edge at the height 1 covers the line.
 TEST(Strips, AnEdgeOverACut) {
-  // A wall that leans from the lamp's line x = 0 towards the receiver pierces
-  // the lamp there, and is cut; an edge at the height 1 covers the line.
   const TestFace lamp = {Ceiling(-1.5, 2, -1, 1, 2), kUnit};
   const TestFace wall = {{{-1, -4, 1}, {-1, 4, 1}, {1, 4, 3}, {1, -4, 3}}};
   const TestFace edge = {Ceiling(-0.25, 0, -4, 4, 1)};
@@ -230,7 +230,7 @@ TEST(Strips, AnEdgeOverACut) {
   EXPECT_EQ(counts.cuts, 1);
 }
 
-// Two edges that are one in space, and a kink behind a third face.
+// A kink behind a third face, and two edges that are one in space.
 TEST(Strips, NoKinks) {
   EXPECT_EQ(SizeAcrossX({{Ceiling(0, 2, -1, 1, 2), kUnit},
                          {Ceiling(-3, 0, -4, 4, 1)},
@@ -244,8 +244,8 @@ TEST(Strips, NoKinks) {
   EXPECT_EQ(counts.planes, 0);
 }
 
+/// Some are twice others, and some lack a channel.
 Rgb RandomEmission(PortableRandom& random) {
-  // Some are twice others, and some lack a channel.
   const double m = random.OneIn(2) ? random.Integer(1, 4) : 0;
   return {m, random.OneIn(2) ? 0.5 * m : 0, m > 0 ? 2.0 : 0};
 }
@@ -280,8 +280,8 @@ std::vector<TestFace> Shelves(PortableRandom& random, int count) {
   return faces;
 }
 
-/// A lamp at z = 4 that a slanted wall pierces at x = 2k, and the edge of a shelf
-/// at z = 2 and x = k: seen from the origin, the edge covers the cut.
+/// A lamp at z = 4 that a slanted wall pierces at x = 2k, and a shelf at z = 2
+/// with an edge at x = k: seen from the origin, the edge covers the cut.
 std::vector<TestFace> PiercedLamp(PortableRandom& random) {
   const double k = random.Integer(-2, 2);
   const double up = random.Integer(-2, 2);

@@ -10,8 +10,8 @@
 //   - a face that P crosses along w is seen at every z, at its own 1/rho,
 //   - a face with an edge in P is seen on one side of its edge's z,
 //   - a face in P is seen between its near and its far edge, at 1/rho = z.
-// What is nearest at z gives M(z, s), which changes at lines of P alone, each of
-// which has z = g.w with a vector g. With J the steps of M in z,
+// What is nearest at z gives M(z, s). It changes at lines of P alone, and each
+// line has z = g.w with a vector g. With J the steps of M in z,
 //
 //     b = -(1/2pi|n|) integral over w in P, n.w > 0, of
 //             n.w (sum over s and lines of J g.w) dw
@@ -20,8 +20,8 @@
 // beside P counts, that is the one with more s (g.m)(g.w - z). This covers cuts
 // and faces that touch, sources and blockers alike, and sources in P.
 //
-// Faces must be planar and convex. Faces in one plane are in the order of
-// docs/scene_format.md, without --two-sided.
+// Faces must be planar and convex, and the receiver must lie on none. Faces in
+// one plane are in the order of docs/scene_format.md, without --two-sided.
 
 #ifndef TRUELUX_TESTS_RADIOMETRY_DERIVATIVES_STRIPS_TWIN_H_
 #define TRUELUX_TESTS_RADIOMETRY_DERIVATIVES_STRIPS_TWIN_H_

@@ -159,6 +159,7 @@ ExitStatus RunGradient(const GradientArguments& arguments) {
       OpenReceivers(request.receivers, Outputs(request), faces);
   ReceiverReader reader(*input.source, input.name, faces);
   if (sum) reader.AskFor({kWeightColumns.begin(), kWeightColumns.end()});
+  reader.Refuse(DerivativeNames(request.columns, request.options.method));
   std::vector<Diagnostic> defects;
   if (!reader.ReadHeader(defects)) throw UserError(std::move(defects));
   if (sum && !reader.has_header()) {

@@ -114,29 +114,33 @@ std::string_view Name(ColumnGroup group) {
   return "";
 }
 
-std::string DerivativeHeader(const ColumnChoice& columns, Method method,
-                             char separator) {
-  std::string header;
-  const auto append = [&](const std::string& name) {
-    header += separator;
-    header += name;
-  };
+std::vector<std::string> DerivativeNames(const ColumnChoice& columns,
+                                         Method method) {
+  std::vector<std::string> names;
   const auto append_groups = [&](const std::string& prefix) {
     ForEachColumnGroup(columns, [&](ColumnGroup group, std::size_t channel) {
       for (const std::string& name : NamesOf(group, kChannels[channel]))
-        append(prefix + name);
+        names.push_back(prefix + name);
     });
   };
   for (const char channel : kChannels)
-    append(std::string("E_") + channel);
+    names.push_back(std::string("E_") + channel);
   for (const char channel : kChannels)
-    append(std::string("status_") + channel);
+    names.push_back(std::string("status_") + channel);
   append_groups("");
   if (method == Method::kDouble) {
     for (const char channel : kChannels)
-      append(std::string("bound_E_") + channel);
+      names.push_back(std::string("bound_E_") + channel);
     append_groups("bound_");
   }
+  return names;
+}
+
+std::string DerivativeHeader(const ColumnChoice& columns, Method method,
+                             char separator) {
+  std::string header;
+  for (const std::string& name : DerivativeNames(columns, method))
+    header += separator + name;
   return header;
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "truelux/derivatives.h"
 
@@ -52,8 +53,11 @@ class ColumnChoice {
   std::array<bool, kColumnGroups.size()> has_{};
 };
 
-/// The names of the columns after those of the receivers, each with the
-/// separator before it: E, status, and the groups, channel by channel; with
+/// The names of the columns after those of the receivers.
+[[nodiscard]] std::vector<std::string> DerivativeNames(
+    const ColumnChoice& columns, Method method);
+
+/// The same, each with the separator before it: E, status, and the groups, channel by channel; with
 /// Method::kDouble then a bound for each number, bound_E_r .. bound_grad_r_x ..
 [[nodiscard]] std::string DerivativeHeader(const ColumnChoice& columns,
                                            Method method, char separator);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/receivers.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
 #include <optional>
@@ -36,7 +37,10 @@ bool ReceiverReader::ReadHeader(std::vector<Diagnostic>& defects) {
   const std::size_t defects_before = defects.size();
   for (std::size_t i = 0; i < record_.size(); ++i) {
     const std::string name = record_.Value(i);
-    if (!IsResultColumn(name)) continue;
+    if (!IsResultColumn(name) &&
+        std::ranges::find(refused_, name) == refused_.end()) {
+      continue;
+    }
     defects.push_back(
         csv_.Error(record_.line(i),
                    fmt::format("column {} has the name of a result; rename it",

@@ -42,9 +42,12 @@ class ReceiverReader {
     columns_.AskFor(std::move(columns));
   }
 
+  /// Further names of results, which a column must not have. Before the header.
+  void Refuse(std::vector<std::string> names) { refused_ = std::move(names); }
+
   /// Reads the header; must be called once, first. False, and entries in
   /// `defects`, if it cannot be used: a column is missing or stands twice, or
-  /// has the name of a result (E_*, bound_*, on_face_found).
+  /// has the name of a result (E_*, bound_*, on_face_found, those refused).
   bool ReadHeader(std::vector<Diagnostic>& defects);
 
   /// The header as it stands in the input; "" if it has none.
@@ -68,6 +71,7 @@ class ReceiverReader {
   CsvReader csv_;
   CsvRecord record_;
   ReceiverColumns columns_;
+  std::vector<std::string> refused_;
   std::string header_;
   bool has_header_ = true;
   bool is_row_read_ = false;  ///< record_ is a row that Next has yet to give

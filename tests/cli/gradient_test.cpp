@@ -78,6 +78,19 @@ TEST_F(Gradient, ColumnsComeInOneOrderWhateverIsAsked) {
   EXPECT_EQ(std::ranges::count(header, "J_g_xy"), 1);
 }
 
+TEST_F(Gradient, RefusesColumnsThatItWrites) {
+  const std::string table = folder_.Write(
+      "taken.csv",
+      "x,y,z,nx,ny,nz,grad_g_y,status_r,flux_r\n0,0,0,0,0,1,1,2,3\n");
+  const Outcome outcome = Run({scene_, table});
+  EXPECT_EQ(outcome.exit_status, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(Contains(outcome.err, "'grad_g_y' has the name of a result"));
+  EXPECT_TRUE(Contains(outcome.err, "'status_r' has the name of a result"));
+  EXPECT_FALSE(Contains(outcome.err, "flux_r"));
+  EXPECT_TRUE(Contains(Run({scene_, table, "--of", "flux"}).err, "flux_r"));
+}
+
 TEST_F(Gradient, IrradianceIsThatOfEvalAndThreadsChangeNothing) {
   const Outcome eval = RunTruelux({"eval", scene_, table_});
   const Outcome one = Run({scene_, table_, "--threads", "1"});

@@ -6,12 +6,15 @@
 #include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
+#include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/vector_math.h"
 #include "compare/gradients/gradient_errors.h"
+#include "compare/gradients/kink_crossing.h"
 
 namespace truelux {
 namespace {
@@ -37,12 +40,18 @@ std::string_view Name(Stencil stencil) {
 }
 
 /// The greatest distance between two coordinates of one axis.
-double SizeOf(const Scene& scene) {
+double SizeOf(const Scene& scene, std::span<const Receiver> receivers) {
   double size = 0;
   for (const auto axis : kPositions) {
-    const auto [least, greatest] = std::ranges::minmax(
-        scene.vertices(), {}, [axis](const Point3& p) { return p.*axis; });
-    size = std::max(size, greatest.*axis - least.*axis);
+    double least = HUGE_VAL;
+    double greatest = -HUGE_VAL;
+    const auto include = [&](const Point3& p) {
+      least = std::min(least, p.*axis);
+      greatest = std::max(greatest, p.*axis);
+    };
+    std::ranges::for_each(scene.vertices(), include);
+    std::ranges::for_each(receivers, include, &Receiver::position);
+    size = std::max(size, greatest - least);
   }
   return size;
 }
@@ -135,16 +144,25 @@ struct Step {
   double loss = HUGE_VAL;
 };
 
-/// The best of a row of steps, each 10^(-1/4) of the one before.
-Step BestOnGrid(const Differences& differences, double greatest) {
-  constexpr int kSteps = 21;
-  Step best;
-  for (int k = 0; k < kSteps; ++k) {
-    const double size = greatest * std::pow(10, -k / 4.0);
-    const auto predicted = differences.With(size);
-    for (std::size_t s = 0; s < predicted.size(); ++s) {
-      const double loss = LossOf(differences.data(), predicted[s]);
-      if (loss < best.loss) best = {size, s, loss};
+/// Steps on a grid, each 10^(-1/4) of the one before.
+constexpr int kGridSteps = 29;
+
+/// The best of them for each stencil; nothing where it is the first or the last.
+std::vector<Step> BestOnGrid(const Differences& differences, double greatest) {
+  std::array<std::array<double, kGridSteps>, kStencils.size()> losses{};
+  for (int k = 0; k < kGridSteps; ++k) {
+    const auto predicted = differences.With(greatest * std::pow(10, -k / 4.0));
+    for (std::size_t s = 0; s < predicted.size(); ++s)
+      losses[s][static_cast<std::size_t>(k)] =
+          LossOf(differences.data(), predicted[s]);
+  }
+  std::vector<Step> best;
+  for (std::size_t s = 0; s < losses.size(); ++s) {
+    const auto least = std::ranges::min_element(losses[s]);
+    const auto k = least - losses[s].begin();
+    if (k > 0 && k + 1 < kGridSteps) {
+      best.push_back(
+          {greatest * std::pow(10, -static_cast<double>(k) / 4), s, *least});
     }
   }
   return best;
@@ -190,81 +208,125 @@ Step Refined(const Differences& differences, const Step& coarse) {
   return best;
 }
 
-/// Where a difference is wrong, and whether a kink is to blame.
-struct Crossings {
-  std::size_t wrong = 0;
-  std::size_t crossing = 0;
-  double loss = 0;           ///< sum of the squares of relative errors
-  double crossing_loss = 0;  ///< its part at crossings
+/// Where a difference is wrong, and whether a jump is to blame.
+struct Wrong {
+  std::size_t receivers = 0;  ///< of those looked at
+  std::size_t kinks = 0;
+  std::size_t faces = 0;
+  double loss = 0;       ///< sum of the squares of relative errors
+  double jump_loss = 0;  ///< its part where there are jumps
 };
 
-Crossings CrossingsOf(const GradientData& data, std::size_t stencil,
-                      std::span<const GradientRow> with,
-                      std::span<const GradientRow> with_quarter) {
-  // Where E is smooth, the error falls to 1/16, or 1/4 of one-sided ones.
-  const double smooth =
-      kStencils[stencil] == Stencil::kCentral ? 1.0 / 16 : 1.0 / 4;
-  constexpr double kNear = 1.5;
-  constexpr double kWrong = 1e-9;
-  Crossings crossings;
-  for (std::size_t i = 0; i < with.size(); ++i) {
-    if (data.truth[i].smoothness == Smoothness::kDiscontinuous) continue;
-    double loss = 0;
-    bool crosses = false;
-    for (std::size_t c = 0; c < data.channels.size(); ++c) {
-      const Vector3& g = data.truth[i].gradient[c];
-      const double error = LengthOf(Difference(with[i][c], g));
-      const double quarter = LengthOf(Difference(with_quarter[i][c], g));
-      const double scale = std::max(LengthOf(g), LengthOf(with[i][c]));
-      if (error <= kWrong * scale) continue;
-      loss += std::pow(error / scale, 2);
-      const double ratio = quarter / error;
-      crosses = crosses || ratio > kNear * smooth || ratio < smooth / kNear;
-    }
-    if (loss == 0) continue;
-    ++crossings.wrong;
-    crossings.loss += loss;
-    if (!crosses) continue;
-    ++crossings.crossing;
-    crossings.crossing_loss += loss;
+/// The squares of the relative errors of a difference, at most 1 each; 0 where
+/// it is right.
+double ErrorAt(const GradientData& data, std::size_t i,
+               const GradientRow& row) {
+  constexpr double kRight = 1e-9;
+  double loss = 0;
+  if (data.truth[i].smoothness == Smoothness::kDiscontinuous) return loss;
+  for (std::size_t c = 0; c < data.channels.size(); ++c) {
+    const Vector3& g = data.truth[i].gradient[c];
+    const double error = LengthOf(Difference(row[c], g));
+    const double scale = std::max(LengthOf(g), LengthOf(row[c]));
+    if (error > kRight * scale) loss += std::pow(error / scale, 2);
   }
-  return crossings;
+  return loss;
+}
+
+Wrong WrongWith(const GradientTrial& trial, const Step& step,
+                std::span<const GradientRow> differences) {
+  constexpr std::size_t kMost = 48;
+  const GradientData& data = trial.data();
+  std::vector<std::pair<double, std::size_t>> errors;
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    const double loss = ErrorAt(data, i, differences[i]);
+    if (loss > 0) errors.emplace_back(loss, i);
+  }
+  std::ranges::sort(errors, std::greater{});
+  if (errors.size() > kMost) errors.resize(kMost);
+  const Stencil stencil = kStencils[step.stencil];
+  std::vector<Way> ways;
+  for (const auto& [loss, i] : errors) {
+    for (const auto axis : kPositions) {
+      Way way{data.receivers[i], data.receivers[i]};
+      if (stencil != Stencil::kForward) way.from.position.*axis -= step.size;
+      if (stencil != Stencil::kBackward) way.to.position.*axis += step.size;
+      ways.push_back(way);
+    }
+  }
+  const std::vector<Crossing> crossings = CrossingsOn(trial, ways);
+  Wrong wrong;
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    const auto of_receiver = std::span(crossings).subspan(3 * k, 3);
+    const bool has_face =
+        std::ranges::find(of_receiver, Crossing::kFace) != of_receiver.end();
+    const bool has_kink =
+        std::ranges::find(of_receiver, Crossing::kKink) != of_receiver.end();
+    ++wrong.receivers;
+    wrong.loss += errors[k].first;
+    if (has_face) ++wrong.faces;
+    if (has_kink && !has_face) ++wrong.kinks;
+    if (has_face || has_kink) wrong.jump_loss += errors[k].first;
+  }
+  return wrong;
+}
+
+std::string JumpText(const Wrong& wrong) {
+  std::string text = fmt::format(
+      "; of the {} receivers where these are most "
+      "wrong, the step crosses ",
+      wrong.receivers);
+  if (wrong.kinks > 0)
+    text +=
+        fmt::format("a kink, where the slope of E jumps, at {}", wrong.kinks);
+  if (wrong.kinks > 0 && wrong.faces > 0) text += ", and ";
+  if (wrong.faces > 0)
+    text += fmt::format("a face, where E jumps, at {}", wrong.faces);
+  return text;
 }
 
 }  // namespace
 
 std::optional<GradientHypothesis> FiniteDifferences(GradientTrial& trial) {
+  constexpr std::size_t kMostTriangles = 50'000;
+  constexpr std::size_t kMostWork = 100'000;
+  constexpr std::size_t kFewest = 6;
   constexpr std::size_t kMostWorst = 24;
-  constexpr double kGreatest = 0.1;
+  const std::size_t triangles = trial.scene().triangles().size();
+  if (triangles > kMostTriangles) {
+    trial.notes.push_back(fmt::format(
+        "finite differences: not tried with {} triangles", triangles));
+    return std::nullopt;
+  }
   const GradientData& data = trial.data();
+  const std::size_t most = std::clamp(
+      kMostWork / std::max<std::size_t>(triangles, 1), kFewest, kMostWorst);
   std::vector<std::size_t> worst;
   const std::vector<GradientError> errors = ErrorsOf(data, 0);
   for (const std::size_t i : WorstOf(errors, data.receivers.size())) {
-    if (!errors[i].no_number && worst.size() < kMostWorst) worst.push_back(i);
+    if (!errors[i].no_number && worst.size() < most) worst.push_back(i);
   }
-  const double size = SizeOf(trial.scene());
+  const double size = SizeOf(trial.scene(), data.receivers);
   if (worst.empty() || !(size > 0) || !std::isfinite(size)) return std::nullopt;
   const GradientData some = SomeOf(data, worst);
   const Differences few(trial, some);
-  const Step step = Refined(few, BestOnGrid(few, kGreatest * size));
+  Step step;
+  for (const Step& coarse : BestOnGrid(few, size)) {
+    const Step fine = Refined(few, coarse);
+    if (fine.loss < step.loss) step = fine;
+  }
+  if (!(step.size > 0)) return std::nullopt;
 
-  const Differences all(trial, data);
-  auto predicted = all.With(step.size)[step.stencil];
-  const auto quarter = all.With(step.size / 4)[step.stencil];
-  const Crossings crossings =
-      CrossingsOf(data, step.stencil, predicted, quarter);
-  const bool by_kinks = 2 * crossings.crossing_loss >= crossings.loss;
+  auto predicted = Differences(trial, data).With(step.size)[step.stencil];
+  const Wrong wrong = WrongWith(trial, step, predicted);
+  const bool by_jumps =
+      wrong.jump_loss > 0 && 2 * wrong.jump_loss >= wrong.loss;
   GradientHypothesis hypothesis;
-  hypothesis.mistake = by_kinks ? kDifferencesAcrossKinks : kLongDifferences;
+  hypothesis.mistake = by_jumps ? kDifferencesAcrossKinks : kLongDifferences;
   hypothesis.sentence = fmt::format(
       "the candidate's gradients are {} differences of E with the step {:.6g}",
       Name(kStencils[step.stencil]), step.size);
-  if (by_kinks) {
-    hypothesis.sentence += fmt::format(
-        "; at {} of the {} receivers where these are wrong the step crosses a "
-        "kink, across which E has different slopes",
-        crossings.crossing, crossings.wrong);
-  }
+  if (by_jumps) hypothesis.sentence += JumpText(wrong);
   hypothesis.predicted = std::move(predicted);
   return hypothesis;
 }

@@ -19,11 +19,12 @@ inline constexpr std::string_view kLongDifferences =
 
 /// Central and one-sided differences of the certified E along the axes, with
 /// the step that explains the candidate best; its mistake is one of the two
-/// names. The step is looked for between a tenth and a millionth of the scene's
-/// size, on the 24 receivers that are worst. Across a kink: at half or more of
-/// the receivers where the difference is wrong, it is no less wrong with a
-/// quarter of the step, or exact then, as it cannot be where E is smooth.
-/// Nothing if no step explains anything.
+/// names. The step is looked for between the size of scene and receivers and
+/// 1e-7 of it, on the receivers that are worst: 24 of them, or fewer in a large
+/// scene. Across a kink: at least half of the differences' squared error, over
+/// at most 48 receivers, is where the gradient or E jumps on the way
+/// (kink_crossing.h). Nothing if the best step is at the end of the range; nor,
+/// with a note, in scenes of more than 50,000 triangles.
 [[nodiscard]] std::optional<GradientHypothesis> FiniteDifferences(
     GradientTrial& trial);
 

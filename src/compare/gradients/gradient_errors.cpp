@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-bool HasNan(const Vector3& v) {
-  return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z);
+bool IsNoNumber(const Vector3& v) {
+  return !std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z);
 }
 
 bool IsZero(const Vector3& v) {
@@ -66,7 +66,7 @@ GradientError ErrorAt(const GradientRow& value, const GradientTruth& truth,
   if (!error.has_gradient) return error;
   error.at_kink = truth.smoothness == Smoothness::kKink;
   error.is_flat = std::ranges::all_of(truth.gradient, IsZero);
-  error.no_number = std::ranges::any_of(value, HasNan);
+  error.no_number = std::ranges::any_of(value, IsNoNumber);
   error.exact = true;
   std::size_t worst = 0;
   for (std::size_t c = 0; c < value.size(); ++c) {
@@ -79,7 +79,7 @@ GradientError ErrorAt(const GradientRow& value, const GradientTruth& truth,
     error.exact = error.exact && measured.excess == 0;
   }
   const Vector3& g = truth.gradient[worst];
-  if (!error.no_number && !IsZero(g)) {
+  if (!error.no_number && !IsZero(g) && !IsNoNumber(g)) {
     error.angle = AngleBetween(UnitOf(value[worst]), UnitOf(g));
     const double length = LengthOf(g);
     error.lengthening = (LengthOf(value[worst]) - length) / length;

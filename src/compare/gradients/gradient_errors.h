@@ -19,12 +19,12 @@ struct GradientError {
   bool has_gradient = true;  ///< E is not discontinuous there
   bool at_kink = false;
   bool is_flat = false;    ///< the gradient is 0 in all compared channels
-  bool no_number = false;  ///< some component is nan
+  bool no_number = false;  ///< some component is nan or infinite
   bool exact = false;      ///< all components are the certified numbers
   bool passes = false;
   /// The largest over the channels of |value - g| / |g| or, where g is 0, of
   /// |value| / (the largest |g| of the channel in the table): what is held
-  /// against the tolerance. Infinite for nan.
+  /// against the tolerance. Infinite for nan and for what is infinite.
   double excess = 0;
   double absolute = 0;  ///< the largest |value - g| [W/m^3]
   /// Of the channel that excess is of, where g is not 0: the angle between
@@ -35,8 +35,8 @@ struct GradientError {
 
 /// One entry per receiver. A receiver passes if E is discontinuous there, or if
 /// in every compared channel |value - g| <= tolerance * |g| or, where g is 0,
-/// |value| <= tolerance * (the largest |g| of that channel in the table); no
-/// nan passes.
+/// |value| <= tolerance * (the largest |g| of that channel in the table); nothing
+/// that is nan or infinite passes.
 [[nodiscard]] std::vector<GradientError> ErrorsOf(const GradientData& data,
                                                   double tolerance);
 
@@ -72,6 +72,11 @@ struct GradientErrorSummary {
 
   [[nodiscard]] std::size_t failing() const {
     return flat_failing + sloping_failing + no_number;
+  }
+
+  /// Whether some receiver has a gradient.
+  [[nodiscard]] bool compares_anything() const {
+    return discontinuous < receivers;
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/gradients/gradient_mistakes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -88,6 +89,16 @@ std::vector<GradientHypothesis> ByFactor(const GradientTrial& trial,
   return {std::move(hypothesis)};
 }
 
+std::vector<GradientHypothesis> AllZero(GradientTrial& trial) {
+  const auto is_zero = [](const GradientRow& row) {
+    return std::ranges::all_of(
+        row, [](const Vector3& g) { return g.x == 0 && g.y == 0 && g.z == 0; });
+  };
+  if (!std::ranges::all_of(trial.data().values, is_zero)) return {};
+  return {{.sentence = "all of the candidate's gradients are 0",
+           .predicted = trial.data().values}};
+}
+
 std::vector<GradientHypothesis> WrongSign(GradientTrial& trial) {
   const auto fit = FactorOf(trial);
   if (!fit || !IsMeantAs(*fit, -1)) return {};
@@ -126,12 +137,15 @@ std::vector<GradientHypothesis> ExitanceAgainstRadiance(GradientTrial& trial) {
 
 std::vector<GradientHypothesis> ConstantFactor(GradientTrial& trial) {
   const auto fit = FactorOf(trial);
-  if (!fit || IsMeantAs(*fit, -1) || LengthFactorOf(*fit) != nullptr ||
+  // Few receivers agree on a factor by chance.
+  constexpr std::size_t kFewest = 5;
+  if (!fit || trial.data().values.size() < kFewest || IsMeantAs(*fit, -1) ||
+      LengthFactorOf(*fit) != nullptr ||
       IsMeantAs(*fit, EmissionFactor(trial))) {
     return {};
   }
   return ByFactor(trial, *fit,
-                  fmt::format("the candidate's gradients are {:.6g} times "
+                  fmt::format("the candidate's gradients are {:.9g} times "
                               "those of truelux",
                               fit->factor));
 }
@@ -284,8 +298,9 @@ std::vector<GradientHypothesis> SourceDepth(GradientTrial& trial) {
            .predicted = Compared(trial, fixed->at_source_depth)}};
 }
 
-constexpr std::array<GradientMistake, 9> kMistakes = {
-    {{"wrong sign", WrongSign},
+constexpr std::array<GradientMistake, 10> kMistakes = {
+    {{"no gradient", AllZero},
+     {"wrong sign", WrongSign},
      {"unit of length", UnitOfLength},
      {"exitance against radiance", ExitanceAgainstRadiance},
      {"constant factor", ConstantFactor},

@@ -63,8 +63,14 @@ class GradientWriter {
     Line("candidate       {}, gradient {}", report_.candidate_name,
          fmt::join(report_.data.value_names, ","));
     Line("tolerance       {}", Exactly(report_.tolerance));
-    Line("result          {}: {} of {} receivers fail",
-         report_.passes() ? "PASS" : "FAIL", s.failing(), s.receivers);
+    if (!s.compares_anything()) {
+      Line(
+          "result          FAIL: E is discontinuous at every receiver, so that "
+          "nothing was compared");
+    } else {
+      Line("result          {}: {} of {} receivers fail",
+           report_.passes() ? "PASS" : "FAIL", s.failing(), s.receivers);
+    }
     Line("");
   }
 
@@ -80,7 +86,7 @@ class GradientWriter {
         "there",
         s.kinks);
     Line("discontinuous   {:>8}   not compared", s.discontinuous);
-    Line("not a number    {:>8}", s.no_number);
+    Line("not a number    {:>8}   or infinite", s.no_number);
     if (s.relative) {
       Line("");
       WriteQuantiles("relative error ", *s.relative, Short);

@@ -15,9 +15,10 @@ namespace truelux {
 /// Of the vectors mean + the sum over kinks of t b m, t in [-1, 1] each, the one
 /// nearest to value: they are the gradients on all sides of the kinks and what
 /// lies between (Clarke's generalized gradient). Any of them is a fair answer
-/// of a program that gives one vector. In binary64: off by a few 1e-16 of the
-/// largest |b| for one kink, and by 1e-12 of it for several. mean itself, bit for
-/// bit, if value is that; mean if value is no number.
+/// of a program that gives one vector. In binary64: off by some 1e-15 of the sum of
+/// |mean| and all |b|, divided by the angle between the normals of kinks where
+/// these are nearly parallel; value itself, bit for bit, if it is as near as that to
+/// one of them; mean if value is no number.
 [[nodiscard]] Vector3 NearestGradient(const Vector3& mean,
                                       std::span<const Kink> kinks,
                                       std::size_t channel,

@@ -262,6 +262,55 @@ TEST_F(GradientDiagnosis, NamesDifferencesAcrossAKinkAndFindsTheirStep) {
                 "with the step 0.003;");
 }
 
+TEST_F(GradientDiagnosis, TellsKinksFromFacesThatAStepCrosses) {
+  // A step below the floor sees nothing of the lamp.
+  const Scene scene =
+      MakeScene({{kLampRing, {2, 1, 0.5}}, {Floor(-2, 2, -2, 2, 0)}});
+  const Oracle oracle(scene);
+  std::vector<Receiver> on_floor = receivers_;
+  for (Receiver& receiver : on_floor)
+    receiver.position.z = 0.001;
+  ExpectMistake(Report(scene, on_floor,
+                       [&](const Receiver& r) {
+                         return Differences(
+                             [&](const Receiver& q) {
+                               return oracle.Evaluate(q).value[0];
+                             },
+                             r, 0.01);
+                       }),
+                std::string(kDifferencesAcrossKinks),
+                "crosses a face, where E jumps, at 40");
+}
+
+TEST_F(GradientDiagnosis, FindsStepsOfTheSizeOfTheScene) {
+  const Scene lamp = MakeScene({{kLampRing, {2, 1, 0.5}}});
+  const Oracle oracle(lamp);
+  ExpectMistake(Report(lamp, receivers_,
+                       [&](const Receiver& r) {
+                         return Differences(
+                             [&](const Receiver& q) {
+                               return oracle.Evaluate(q).value[0];
+                             },
+                             r, 0.3);
+                       }),
+                std::string(kLongDifferences),
+                "central differences of E with the step 0.3;");
+}
+
+TEST_F(GradientDiagnosis, OfNothingNothingIsSaidButThat) {
+  ExpectMistake(Report(scene_, receivers_,
+                       [](const Receiver& /*r*/) { return Vector3{}; }),
+                "no gradient", "are 0");
+  // Where nothing can be compared, nothing passes.
+  const GradientReport on_plate =
+      Report(scene_, {{{0.2, 0.1, 0.5}, {0, 0, 1}, 0}},
+             [](const Receiver& /*r*/) { return Vector3{}; });
+  EXPECT_EQ(on_plate.summary.discontinuous, 1U);
+  EXPECT_FALSE(on_plate.passes());
+  EXPECT_NE(GradientText(on_plate).find("nothing was compared"),
+            std::string::npos);
+}
+
 TEST_F(GradientDiagnosis, NamesALongStepWhereNoKinkIsNear) {
   const Scene lamp = MakeScene({{kLampRing, {2, 1, 0.5}}});
   const Oracle oracle(lamp);

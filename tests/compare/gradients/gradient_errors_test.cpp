@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/gradients/gradient_errors.h"
 
+#include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -70,10 +72,15 @@ TEST(GradientErrors, NoNumberPassesButWhereThereIsNoGradient) {
       Table()
           .Add({kNan, 0, 0}, {1, 0, 0})
           .Add({kNan, kNan, kNan}, {1, 0, 0}, Smoothness::kDiscontinuous)
+          .Add({1, -std::numeric_limits<double>::infinity(), 0}, {1, 0, 0})
           .Errors();
   EXPECT_TRUE(e[0].no_number && !e[0].passes);
   EXPECT_FALSE(e[1].has_gradient);
   EXPECT_TRUE(e[1].passes);
+  EXPECT_TRUE(e[2].no_number && !e[2].passes);
+  EXPECT_EQ(e[2].angle, 0);
+  EXPECT_FALSE(Summarize(std::span(e).subspan(1, 1)).compares_anything());
+  EXPECT_TRUE(Summarize(e).compares_anything());
 }
 
 TEST(GradientErrors, CountEveryReceiverOnce) {

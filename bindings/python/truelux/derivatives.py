@@ -36,14 +36,14 @@ class Derivatives:
     jacobian : (..., 3, 3, 3) or None
         dV_p/dr_k [W/m^3], indices channel, p, k.
     sphere, flux, sphere_jacobian : arrays or None
-        The light field vector, the net flux n.V / |n|, and the Jacobian of the
-        whole sphere.
+        The light field vector, the net flux (n.V for n of length 1), and the
+        Jacobian of the whole sphere.
     status : (...) of str
         "C1", "kink" or "discontinuous".
     kinks : structured array
         receiver (index into the flattened leading shape), normal m, size b per
         channel [W/m^3], faces (list of numbers), edges (pairs of vertex indices,
-        -1: none): E'(r; d) = gradient.d + sum of b |m.d|.
+        -1: none): E'(r; d) = gradient.d + sum of b abs(m.d).
     bounds : Derivatives
         Bounds on the errors; without status and kinks.
     """

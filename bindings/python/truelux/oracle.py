@@ -84,6 +84,11 @@ class Oracle:
         """The scene that was given."""
         return self._scene
 
+    @property
+    def emission(self) -> str:
+        """How the scene's emission is read: "exitance" or "radiance"."""
+        return self._words[2]
+
     def _receivers(self, points, normals, on_face):
         points, normals, shape = receivers(points, normals)
         on_face = faces(self._scene, on_face, points, normals, shape,

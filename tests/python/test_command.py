@@ -7,6 +7,8 @@ import sys
 import numpy as np
 import pytest
 
+import truelux
+from truelux import _truelux
 from conftest import UP, columns_of, obj_of, run, table_of
 
 
@@ -55,6 +57,52 @@ def test_gradients(tmp_path, scene, oracle, grid):
     np.testing.assert_array_equal(
         columns_of((tmp_path / "g.csv").read_text(), "jacobian_g_xy"),
         columns_of(text, "J_g_xy"))
+
+
+def test_maps_of_positions_and_normals(tmp_path, scene):
+    # A floor of texels, some of which are none, a rounding error below it.
+    floor = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]
+    room = truelux.Scene(np.concatenate([scene.vertices, floor]),
+                         [*scene.faces, [7, 8, 9, 10]],
+                         [*scene.emission, [0, 0, 0]])
+    obj = obj_of(tmp_path, room)
+    x, y = np.meshgrid(np.linspace(-0.9, 0.9, 16), np.linspace(-0.9, 0.9, 12))
+    normals = np.zeros((12, 16, 3), np.float32)
+    normals[2:, :, 2] = 1
+    points = np.stack([x, y, np.full_like(x, -1e-9)], axis=-1)
+    points = points.astype(np.float32)
+    for name, maps in (("p.exr", points), ("n.exr", normals)):
+        _truelux.write_exr(str(tmp_path / name), {
+            c: np.ascontiguousarray(maps[..., k]) for k, c in enumerate("RGB")})
+    for output in ("e.exr", "e.npy"):
+        done = command("eval", obj, tmp_path / "p.exr", "--normals",
+                       tmp_path / "n.exr", "-o", tmp_path / output)
+        assert done.returncode == 0, done.stderr
+    expected = truelux.Oracle(room).irradiance(points[2:], UP, on_face=3)
+    assert (expected > 0).all()
+    e = np.load(tmp_path / "e.npy")
+    np.testing.assert_array_equal(e[2:], expected)
+    assert np.isnan(e[:2]).all()
+    read = _truelux.read_exr(str(tmp_path / "e.exr"))
+    assert sorted(read) == ["A", "B", "G", "R"]
+    np.testing.assert_array_equal(read["G"][2:],
+                                  expected[..., 1].astype(np.float32))
+    np.testing.assert_array_equal(read["A"], normals[..., 2])
+    assert (read["R"][:2] == 0).all()
+    # As if they lay on no face, all is dark.
+    done = command("eval", obj, tmp_path / "p.exr", "--normals",
+                   tmp_path / "n.exr", "--on-face", "none", "-o",
+                   tmp_path / "dark.npy")
+    assert done.returncode == 0, done.stderr
+    assert (np.load(tmp_path / "dark.npy")[2:] == 0).all()
+    for words, match in (
+            (("p.exr",), "needs --normals"),
+            (("p.exr", "--normals", obj), "s.obj:"),
+            (("p.exr", "--normals", tmp_path / "none.exr"), "none.exr:")):
+        done = command("eval", obj, tmp_path / words[0], *words[1:], "-o",
+                       tmp_path / "x.exr")
+        assert done.returncode == 2 and match in done.stderr, done.stderr
+    assert not (tmp_path / "x.exr").exists()
 
 
 @pytest.mark.parametrize("source, output, words", [

@@ -29,6 +29,9 @@ void BindOracle(pybind11::module_& module);
 /// Derivatives.
 void BindDerivatives(pybind11::module_& module);
 
+/// Images of OpenEXR.
+void BindExr(pybind11::module_& module);
+
 }  // namespace truelux::python
 
 #endif  // TRUELUX_BINDINGS_PYTHON_BINDINGS_H_

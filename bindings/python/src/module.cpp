@@ -10,4 +10,5 @@ PYBIND11_MODULE(_truelux, module) {
   truelux::python::BindScene(module);
   truelux::python::BindOracle(module);
   truelux::python::BindDerivatives(module);
+  truelux::python::BindExr(module);
 }

@@ -11,7 +11,7 @@ import numpy as np
 
 import truelux
 
-from .tables import read_receivers, write_arrays
+from .tables import read_maps, read_receivers, write_arrays
 
 _GRADIENT = ("gradient", "tangential", "normal", "vector", "jacobian", "sphere",
              "flux", "sphere_jacobian")
@@ -23,10 +23,13 @@ RECEIVERS is one of
   .npy   shape (..., 6): points and normals
   .npz   arrays points and normals, (..., 3) each, perhaps on_face (...)
   .csv   columns x,y,z,nx,ny,nz, perhaps on_face
+  .exr   a map of positions, with --normals a map of normals: texels whose normal
+         is 0 are none; --on-face is auto unless it is given
 and what is written one of
   .npy   E of eval, shape (..., 3)
   .npz   arrays by the names of truelux.Oracle's results
   .csv   one row per receiver
+  .exr   E of eval, as binary32; A is 1 where there is a receiver
 """
 
 
@@ -43,7 +46,9 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument("scene", metavar="SCENE.obj")
         command.add_argument("receivers", metavar="RECEIVERS")
         command.add_argument("-o", "--output", required=True, metavar="OUT")
-        command.add_argument("--on-face", metavar="N|NAME|auto",
+        command.add_argument("--normals", metavar="NORMALS.exr",
+                             help="beside positions as EXR")
+        command.add_argument("--on-face", metavar="N|NAME|auto|none",
                              help="as of truelux eval")
         command.add_argument("--method", default="certified",
                              choices=("certified", "double"))
@@ -62,6 +67,8 @@ def _parser() -> argparse.ArgumentParser:
 def _on_face(word, column):
     if word is None:
         return column
+    if word == "none":
+        return None
     return int(word) if word.isdigit() else word
 
 
@@ -91,10 +98,18 @@ def _run(arguments) -> None:
     oracle = truelux.Oracle(scene, method=arguments.method,
                             emission=arguments.emission,
                             threads=arguments.threads)
-    points, normals, column = read_receivers(arguments.receivers)
+    covered = None
+    if arguments.receivers.lower().endswith(".exr"):
+        if arguments.normals is None:
+            raise truelux.Error("a map of positions needs --normals")
+        points, normals, covered = read_maps(arguments.receivers,
+                                             arguments.normals)
+        column = "auto"
+    else:
+        points, normals, column = read_receivers(arguments.receivers)
     on_face = _on_face(arguments.on_face, column)
     write_arrays(arguments.output,
-                 _evaluate(oracle, arguments, points, normals, on_face))
+                 _evaluate(oracle, arguments, points, normals, on_face), covered)
 
 
 def main(words=None) -> int:

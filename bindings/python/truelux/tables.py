@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Receivers and results in files of NumPy and as tables."""
+"""Receivers and results in files of NumPy, as tables, and as EXR maps."""
 
 from __future__ import annotations
 
@@ -10,9 +10,38 @@ from pathlib import Path
 
 import numpy as np
 
+from ._truelux import read_exr, write_exr
 from .arrays import error
 
 _PLACE = ("x", "y", "z", "nx", "ny", "nz")
+
+
+def read_maps(positions: str, normals: str):
+    """Points and normals of the texels that have one, and which these are.
+
+    Returns
+    -------
+    points, normals : (n, 3)
+    covered : bool, (height, width)
+        Texels whose normal is not 0.
+    """
+    points, directions = _read_map(positions), _read_map(normals)
+    if points.shape != directions.shape:
+        raise error(f"{normals}: {directions.shape[1]} x {directions.shape[0]} "
+                    f"texels, but {positions} has {points.shape[1]} x "
+                    f"{points.shape[0]}")
+    covered = directions.any(axis=-1)
+    return points[covered], directions[covered], covered
+
+
+def _read_map(path: str) -> np.ndarray:
+    channels = read_exr(path)
+    for names in ("RGB", "XYZ", "rgb", "xyz"):
+        if all(name in channels for name in names):
+            return np.stack([channels[name] for name in names],
+                            axis=-1).astype(np.float64)
+    raise error(f"{path}: expected the channels R, G, B or X, Y, Z; found "
+                f"{', '.join(channels) or 'none'}")
 
 
 def read_receivers(path: str):
@@ -72,29 +101,65 @@ def _read_csv(path: str):
     return array[:, :3], array[:, 3:], np.array(faces) if faces else None
 
 
-def write_arrays(path: str, arrays: dict) -> None:
-    """Arrays by name, under a name that appears when all is written."""
+def write_arrays(path: str, arrays: dict, covered=None) -> None:
+    """Arrays by name, under a name that appears when all is written.
+
+    covered: of receivers that are texels of a map, which texels these are; the
+    others are nan in arrays and transparent in EXR.
+    """
     suffix = Path(path).suffix.lower()
-    if suffix not in (".npy", ".npz", ".csv"):
-        raise error(f"{path}: expected a name that ends with .npy, .npz or .csv")
-    if suffix == ".npy" and len(arrays) > 1:
+    if suffix not in (".npy", ".npz", ".csv", ".exr"):
+        raise error(f"{path}: expected a name that ends with .npy, .npz, .csv "
+                    "or .exr")
+    if suffix in (".npy", ".exr") and len(arrays) > 1:
         raise error(f"{path}: {', '.join(arrays)} are several arrays; "
                     "expected .npz or .csv")
+    if suffix == ".exr" and covered is None and arrays["E"].ndim != 3:
+        raise error(f"{path}: an image needs receivers of the shape (height, "
+                    f"width); they have {arrays['E'].shape[:-1]}")
     folder = os.path.dirname(os.path.abspath(path))
     handle, temporary = tempfile.mkstemp(dir=folder, suffix=suffix)
     try:
         with os.fdopen(handle, "wb") as file:
-            if suffix == ".npy":
-                np.save(file, next(iter(arrays.values())))
-            elif suffix == ".npz":
-                np.savez(file, **arrays)
-            else:
+            if suffix == ".csv":
                 _write_csv(file, arrays)
+            elif suffix != ".exr":
+                whole = {name: _spread(array, covered)
+                         for name, array in arrays.items()}
+                if suffix == ".npy":
+                    np.save(file, next(iter(whole.values())))
+                else:
+                    np.savez(file, **whole)
+        if suffix == ".exr":
+            _write_map(temporary, arrays["E"], covered)
         os.chmod(temporary, 0o666 & ~_umask())
         os.replace(temporary, path)
     except BaseException:
         os.unlink(temporary)
         raise
+
+
+def _spread(array: np.ndarray, covered) -> np.ndarray:
+    """The texels' values in their places."""
+    if covered is None:
+        return array
+    empty = "" if array.dtype.kind == "U" else np.nan
+    whole = np.full(covered.shape + array.shape[1:], empty, dtype=array.dtype)
+    whole[covered] = array
+    return whole
+
+
+def _write_map(path: str, values: np.ndarray, covered) -> None:
+    """R, G, B and A: 1 where there is a receiver."""
+    if covered is None:
+        covered = np.ones(values.shape[:2], dtype=bool)
+    whole = np.zeros(covered.shape + (3,))
+    whole[covered] = values.reshape(-1, 3)
+    with np.errstate(over="ignore"):
+        channels = {name: np.ascontiguousarray(whole[..., k], dtype=np.float32)
+                    for k, name in enumerate("RGB")}
+    channels["A"] = covered.astype(np.float32)
+    write_exr(path, channels)
 
 
 def _umask() -> int:

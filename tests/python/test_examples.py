@@ -24,17 +24,37 @@ def test_first():
     assert len(lines) == 5 and lines[-1].endswith("E = 0.0 W/m^2 in red")
 
 
-def test_find_blocker(tmp_path):
-    pytest.importorskip("scipy", reason="SciPy is not installed")
-    words = []
+def plot(tmp_path):
+    """Where to draw; nowhere without matplotlib."""
     try:
         import matplotlib  # noqa: F401
-        words = [tmp_path / "plot.png"]
     except ImportError:
-        pass
-    done = run("find_blocker.py", *words)
+        return []
+    return [tmp_path / "plot.png"]
+
+
+def checked(name, words):
+    done = run(name, *words)
     assert done.returncode == 0, done.stdout + done.stderr
-    error = float(re.search(r"largest error (\S+)", done.stdout)[1])
-    assert error < 1e-9
     for path in words:
         assert path.stat().st_size > 10_000
+    return done.stdout
+
+
+def test_find_blocker(tmp_path):
+    pytest.importorskip("scipy", reason="SciPy is not installed")
+    out = checked("find_blocker.py", plot(tmp_path))
+    assert float(re.search(r"largest error (\S+)", out)[1]) < 1e-9
+
+
+def test_shader_check(tmp_path):
+    out = checked("shader_check.py", plot(tmp_path))
+    biased, points = map(int, re.match(r"(\d+) of (\d+) points", out).groups())
+    # In the penumbra, which is most of the floor, but not in it all.
+    assert points / 2 < biased < points
+    assert float(re.search(r"error there is (\S+)", out)[1]) < 1e-4
+
+
+def test_lightmap_check(tmp_path):
+    out = checked("lightmap_check.py", plot(tmp_path))
+    assert "moved by (-0.5, -0.5) texels" in out

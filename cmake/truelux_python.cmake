@@ -29,7 +29,7 @@ if(pybind11_FOUND)
   set(truelux_has_python TRUE)
   set(TRUELUX_PYTHON_DIR
     ${CMAKE_INSTALL_LIBDIR}/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages
-    CACHE PATH "Where the Python package is installed")
+    CACHE STRING "Where the Python package is installed")
 else()
   message(WARNING "The Python package is left out: it needs a Python with "
     "NumPy and its headers, and pybind11 2.10 or later.")

@@ -63,17 +63,9 @@ std::vector<Rgb> MistakeTrial::ValuesWithout(std::span<const int> faces) {
 }
 
 std::optional<std::vector<Rgb>> MistakeTrial::ValuesOnFaces() const {
-  std::vector<Receiver> receivers = data_.receivers;
-  bool any = false;
-  for (Receiver& receiver : receivers) {
-    if (receiver.on_face != 0) continue;
-    const std::optional<NearFace> face = scene_.FaceNear(receiver);
-    if (!face) continue;
-    receiver.on_face = face->number;
-    any = true;
-  }
-  if (!any) return std::nullopt;
-  return Evaluate(scene_, receivers);
+  const auto receivers = ReceiversOnFaces(scene_, data_.receivers);
+  if (!receivers) return std::nullopt;
+  return Evaluate(scene_, *receivers);
 }
 
 MistakeTrial MistakeTrial::On(const CandidateData& some) const {

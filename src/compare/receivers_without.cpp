@@ -38,4 +38,19 @@ std::vector<Receiver> ReceiversWithout::Of(std::span<const Receiver> receivers,
   return moved;
 }
 
+std::optional<std::vector<Receiver>> ReceiversOnFaces(
+    const Scene& scene, std::span<const Receiver> receivers) {
+  std::vector<Receiver> moved(receivers.begin(), receivers.end());
+  bool any = false;
+  for (Receiver& receiver : moved) {
+    if (receiver.on_face != 0) continue;
+    const std::optional<NearFace> face = scene.FaceNear(receiver);
+    if (!face) continue;
+    receiver.on_face = face->number;
+    any = true;
+  }
+  if (!any) return std::nullopt;
+  return moved;
+}
+
 }  // namespace truelux

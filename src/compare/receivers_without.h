@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Receivers in scenes from which faces were taken.
+// Receivers in scenes from which faces were taken, and on faces near them.
 
 #ifndef TRUELUX_COMPARE_RECEIVERS_WITHOUT_H_
 #define TRUELUX_COMPARE_RECEIVERS_WITHOUT_H_
 
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,11 @@ class ReceiversWithout {
   const Scene& scene_;
   std::map<int, std::vector<int>> faces_in_plane_;  ///< by on_face
 };
+
+/// The receivers on their faces, as Scene::FaceNear finds them where on_face
+/// names none; nothing if it finds no face.
+[[nodiscard]] std::optional<std::vector<Receiver>> ReceiversOnFaces(
+    const Scene& scene, std::span<const Receiver> receivers);
 
 }  // namespace truelux
 

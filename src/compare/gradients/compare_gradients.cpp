@@ -15,6 +15,7 @@
 #include "compare/explanation.h"
 #include "compare/gradients/finite_differences.h"
 #include "compare/gradients/gradient_mistakes.h"
+#include "compare/receivers_without.h"
 #include "run/interrupt.h"
 #include "run/parallel.h"
 #include "run/progress.h"
@@ -74,21 +75,14 @@ std::vector<std::size_t> TrialReceivers(std::span<const GradientError> errors) {
 
 /// That the receivers are what is wrong. Has no mistake's name.
 std::optional<GradientHypothesis> OnFaces(const GradientTrial& trial) {
-  std::vector<Receiver> receivers = trial.data().receivers;
-  bool any = false;
-  for (Receiver& receiver : receivers) {
-    if (receiver.on_face != 0) continue;
-    const std::optional<NearFace> face = trial.scene().FaceNear(receiver);
-    if (!face) continue;
-    receiver.on_face = face->number;
-    any = true;
-  }
-  if (!any) return std::nullopt;
+  const auto receivers =
+      ReceiversOnFaces(trial.scene(), trial.data().receivers);
+  if (!receivers) return std::nullopt;
   return GradientHypothesis{
       .sentence =
           "the candidate agrees when the receivers lie on their faces, "
           "as --on-face auto takes them",
-      .predicted = trial.GradientsAt(receivers)};
+      .predicted = trial.GradientsAt(*receivers)};
 }
 
 void TryIt(GradientHypothesis hypothesis, const GradientData& data,

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "base/vector_math.h"
-#include "compare/gradients/fixed_visibility.h"
 #include "scene/emitters.h"
 
 namespace truelux {
@@ -187,70 +186,8 @@ std::vector<GradientRow> Compared(const GradientTrial& trial,
   return compared;
 }
 
-/// Sums over the sources, each as if it were alone.
-struct AloneSums {
-  std::vector<GradientRow> gradients;  ///< of all
-  /// Each times the share of its light that is visible.
-  std::vector<GradientRow> by_shares;
-  /// The sum of all times the share of the whole light that is visible.
-  std::vector<GradientRow> by_share;
-};
-
-std::optional<AloneSums> FindAloneSums(GradientTrial& trial) {
-  constexpr std::size_t kMostSources = 64;
-  constexpr std::size_t kMostWork = 5'000'000;
-  const Scene& scene = trial.scene();
-  const std::vector<int> emitters = EmittersOf(scene);
-  if (emitters.size() > kMostSources ||
-      emitters.size() * scene.faces().size() > kMostWork) {
-    trial.notes.push_back(
-        fmt::format("no shadows, constant visibility: not tried with {} "
-                    "sources among {} faces",
-                    emitters.size(), scene.faces().size()));
-    return std::nullopt;
-  }
-  const std::vector<Receiver>& receivers = trial.data().receivers;
-  const double scale =
-      trial.oracle().options().emission == Emission::kRadiance ? kPi : 1;
-  std::vector<FormFactorTable> factors;
-  for (const Receiver& receiver : receivers)
-    factors.push_back(trial.oracle().FormFactors(receiver));
-  const std::size_t count = receivers.size();
-  AloneSums sums{std::vector<GradientRow>(count),
-                 std::vector<GradientRow>(count),
-                 std::vector<GradientRow>(count)};
-  std::vector<Rgb> visible(count);
-  std::vector<Rgb> alone(count);
-  for (std::size_t s = 0; s < emitters.size(); ++s) {
-    const Face& face = scene.faces()[static_cast<std::size_t>(emitters[s])];
-    const std::vector<Derivatives> derivatives =
-        trial.WithFaceAlone(emitters[s]);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Derivatives& d = derivatives[i];
-      if (d.smoothness == Smoothness::kDiscontinuous) continue;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const double lit = factors[i].faces[s].value * face.emission[c] * scale;
-        const double all = d.irradiance.value[c];
-        const Vector3& g = d.channels[c].gradient;
-        visible[i][c] += lit;
-        alone[i][c] += all;
-        sums.gradients[i][c] = Sum(sums.gradients[i][c], g);
-        sums.by_shares[i][c] =
-            Sum(sums.by_shares[i][c], Times(all > 0 ? lit / all : 0, g));
-      }
-    }
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double share = alone[i][c] > 0 ? visible[i][c] / alone[i][c] : 0;
-      sums.by_share[i][c] = Times(share, sums.gradients[i][c]);
-    }
-  }
-  return sums;
-}
-
 std::vector<GradientHypothesis> NoShadows(GradientTrial& trial) {
-  const auto sums = FindAloneSums(trial);
+  const auto& sums = trial.Alone();
   if (!sums) return {};
   return {{.sentence = "the candidate's gradients are those of the unshadowed "
                        "irradiance: every source is seen as if nothing else "
@@ -260,7 +197,7 @@ std::vector<GradientHypothesis> NoShadows(GradientTrial& trial) {
 
 std::vector<GradientHypothesis> ConstantVisibility(GradientTrial& trial) {
   std::vector<GradientHypothesis> hypotheses;
-  if (const auto sums = FindAloneSums(trial)) {
+  if (const auto& sums = trial.Alone()) {
     constexpr const char* kShare =
         "the candidate takes visibility as constant: it multiplies the "
         "gradient of the unshadowed irradiance by the visible share";
@@ -271,8 +208,7 @@ std::vector<GradientHypothesis> ConstantVisibility(GradientTrial& trial) {
                             .predicted = Compared(trial, sums->by_share)});
     }
   }
-  if (const auto fixed =
-          FixedVisibilityOf(trial.oracle(), trial.data().receivers)) {
+  if (const auto& fixed = trial.Fixed()) {
     hypotheses.push_back(
         {.sentence = "the candidate takes visibility as constant in every "
                      "direction: edges of blockers do not move, only those of "
@@ -283,7 +219,7 @@ std::vector<GradientHypothesis> ConstantVisibility(GradientTrial& trial) {
 }
 
 std::vector<GradientHypothesis> SourceDepth(GradientTrial& trial) {
-  const auto fixed = FixedVisibilityOf(trial.oracle(), trial.data().receivers);
+  const auto& fixed = trial.Fixed();
   if (!fixed) {
     trial.notes.emplace_back(
         "source's depth for a blocker's edge: not tried with sources that are "

@@ -16,6 +16,7 @@
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 
+#include "compare/gradients/fixed_visibility.h"
 #include "compare/gradients/gradient_data.h"
 #include "compare/mistake_fit.h"
 #include "compare/mistake_trial.h"
@@ -43,6 +44,16 @@ struct GradientHypothesis {
   std::optional<double> factor{};  ///< predicted = factor * truth, if so
 };
 
+/// Sums over the sources, each as if it were alone; all channels, one entry per
+/// receiver of a trial.
+struct AloneSums {
+  std::vector<GradientRow> gradients;  ///< of all
+  /// Each times the share of its light that is visible.
+  std::vector<GradientRow> by_shares;
+  /// The sum of all times the share of the whole light that is visible.
+  std::vector<GradientRow> by_share;
+};
+
 /// What all mistakes are tried with.
 class GradientTrial {
  public:
@@ -67,18 +78,27 @@ class GradientTrial {
   [[nodiscard]] std::vector<GradientRow> GradientsAt(
       std::span<const Receiver> receivers) const;
 
-  /// The derivatives with one face alone, at the receivers of the trial. face:
-  /// index into Scene::faces().
-  [[nodiscard]] std::vector<Derivatives> WithFaceAlone(int face);
+  /// The sources one by one; found once. Nothing, and a note, for more than 64
+  /// sources or where sources times faces are more than five million.
+  const std::optional<AloneSums>& Alone();
+
+  /// FixedVisibilityOf the trial; found once.
+  const std::optional<FixedVisibility>& Fixed();
 
   /// What was left out to save time, for the reader; added by mistakes.
   std::vector<std::string> notes;
 
  private:
+  [[nodiscard]] std::optional<AloneSums> FindAloneSums();
+  [[nodiscard]] std::vector<Derivatives> WithFaceAlone(int face);
+
   const Oracle& oracle_;
   const GradientData& data_;
   const GradientEvaluators& evaluate_;
   ReceiversWithout receivers_without_;
+  // The inner one is nothing where it could not be found.
+  std::optional<std::optional<AloneSums>> alone_;
+  std::optional<std::optional<FixedVisibility>> fixed_;
 };
 
 /// As for irradiances (mistake_fit.h), with lengths of vectors and of

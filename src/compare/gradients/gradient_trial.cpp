@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/gradients/gradient_trial.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
 #include <limits>
@@ -18,6 +19,12 @@ GradientRow Unknown() {
   GradientRow row;
   row.fill({kNan, kNan, kNan});
   return row;
+}
+
+/// The form factor of a face (index): a table has those that emit, also ones
+/// without area.
+double FactorOf(const FormFactorTable& table, int face) {
+  return std::ranges::find(table.faces, face + 1, &FaceFormFactor::face)->value;
 }
 
 }  // namespace
@@ -98,7 +105,8 @@ std::optional<AloneSums> GradientTrial::FindAloneSums() {
       const Derivatives& d = derivatives[i];
       if (d.smoothness == Smoothness::kDiscontinuous) continue;
       for (std::size_t c = 0; c < 3; ++c) {
-        const double lit = factors[i].faces[s].value * face.emission[c] * scale;
+        const double lit =
+            FactorOf(factors[i], emitters[s]) * face.emission[c] * scale;
         const double all = d.irradiance.value[c];
         const Vector3& g = d.channels[c].gradient;
         visible[i][c] += lit;

@@ -175,6 +175,26 @@ TEST_F(GradientDiagnosis, NamesAConstantShareOfTheLight) {
       "constant visibility", "visible share");
 }
 
+TEST_F(GradientDiagnosis, AnEmittingFaceWithoutAreaIsInNobodysWay) {
+  const Scene scene = MakeScene({{{{3, 0, 1}, {4, 0, 1}, {5, 0, 1}}, {1, 1, 1}},
+                                 {kLampRing, {2, 1, 0.5}},
+                                 {kTriangle},
+                                 {kPlate}});
+  const Program lambert =
+      LambertWithoutClipping(MakeScene({{kLampRing, {2, 1, 0.5}}}));
+  ExpectMistake(
+      Report(scene, receivers_,
+             [&](const Receiver& r) {
+               const double share =
+                   oracle_.Evaluate(r).value[0] / lambert(r)[0];
+               return Times(
+                   share,
+                   Differences([&](const Receiver& q) { return lambert(q)[0]; },
+                               r, 1e-4));
+             }),
+      "constant visibility", "visible share");
+}
+
 TEST_F(GradientDiagnosis, NamesVisibilityThatStaysInEveryDirection) {
   // If the source moves alone, blockers stay where they are seen.
   ExpectMistake(

@@ -47,13 +47,8 @@ Json SummaryJson(const CandidateSummary& s) {
 Json WorstJson(const CandidateReport& report, const WorstCandidate& worst) {
   const std::size_t i = worst.receiver;
   const CandidateError& e = report.errors[i];
-  const Receiver& r = report.data.receivers[i];
   const std::size_t channels = report.data.channels.size();
-  Json json;
-  json["line"] = report.data.lines[i];
-  json["position"] = TripleJson(r.position.x, r.position.y, r.position.z);
-  json["normal"] = TripleJson(r.normal.x, r.normal.y, r.normal.z);
-  json["on_face"] = r.on_face;
+  Json json = PlaceJson(report.data, i);
   json["candidate"] = ChannelsJson(report.data.values[i], channels);
   json["truelux"] = ChannelsJson(report.data.truth[i], channels);
   json["error"] = NumberJson(e.excess);

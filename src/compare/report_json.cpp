@@ -49,6 +49,16 @@ Json TripleJson(double x, double y, double z) {
   return Json::array({x, y, z});
 }
 
+Json PlaceJson(const CandidateReceivers& candidate, std::size_t receiver) {
+  const Receiver& r = candidate.receivers[receiver];
+  Json json;
+  json["line"] = candidate.lines[receiver];
+  json["position"] = TripleJson(r.position.x, r.position.y, r.position.z);
+  json["normal"] = TripleJson(r.normal.x, r.normal.y, r.normal.z);
+  json["on_face"] = r.on_face;
+  return json;
+}
+
 Json ReasonJson(const Scene& scene, const ReceiverDetail& detail) {
   const ReceiverTraits& t = detail.traits;
   Json json;

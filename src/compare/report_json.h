@@ -4,10 +4,12 @@
 #ifndef TRUELUX_COMPARE_REPORT_JSON_H_
 #define TRUELUX_COMPARE_REPORT_JSON_H_
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 
 #include "truelux/scene.h"
 
+#include "compare/candidate_receivers.h"
 #include "compare/verdict.h"
 #include "explain/receiver_detail.h"
 
@@ -20,6 +22,10 @@ using Json = nlohmann::ordered_json;
 
 /// A list of three finite numbers.
 [[nodiscard]] Json TripleJson(double x, double y, double z);
+
+/// The line, position, normal and on_face of a receiver.
+[[nodiscard]] Json PlaceJson(const CandidateReceivers& candidate,
+                             std::size_t receiver);
 
 /// What a receiver sees and what is hard about it.
 [[nodiscard]] Json ReasonJson(const Scene& scene, const ReceiverDetail& detail);

@@ -61,13 +61,8 @@ Json KinkJson(const Kink& kink) {
 Json WorstJson(const GradientReport& report, const WorstGradient& worst) {
   const std::size_t i = worst.receiver;
   const GradientError& e = report.errors[i];
-  const Receiver& r = report.data.receivers[i];
   const std::size_t channels = report.data.channels.size();
-  Json json;
-  json["line"] = report.data.lines[i];
-  json["position"] = TripleJson(r.position.x, r.position.y, r.position.z);
-  json["normal"] = TripleJson(r.normal.x, r.normal.y, r.normal.z);
-  json["on_face"] = r.on_face;
+  Json json = PlaceJson(report.data, i);
   json["candidate"] = RowJson(report.data.values[i], channels);
   json["truelux"] = RowJson(report.data.truth[i].gradient, channels);
   json["error"] = NumberJson(e.excess);

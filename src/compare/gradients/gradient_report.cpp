@@ -1,34 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/gradients/gradient_report.h"
 
-#include <cmath>
 #include <fmt/format.h>
-#include <iterator>
 #include <numbers>
 #include <utility>
 
+#include "compare/report_lines.h"
 #include "explain/edge_text.h"
-#include "text/number_text.h"
-#include "text/results.h"
 
 namespace truelux {
 namespace {
-
-constexpr int kDigits = 2;
-
-std::string Short(double value) {
-  return ScientificText(value, kDigits);
-}
-
-std::string SignedText(double value) {
-  return (value < 0 ? "-" : "+") + Short(std::abs(value));
-}
-
-std::string Exactly(double value) {
-  std::string text;
-  AppendNumber(text, value);
-  return text;
-}
 
 std::string DegreesText(double radians) {
   return Short(radians * 180 / std::numbers::pi);
@@ -44,65 +25,59 @@ class GradientWriter {
     WriteTable();
     WriteWorst();
     WriteDiagnosis();
-    return std::move(text_);
+    return lines_.Take();
   }
 
  private:
   using Quantiles = GradientErrorSummary::Quantiles;
 
-  template <class... Args>
-  void Line(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(text_), format,
-                   std::forward<Args>(args)...);
-    text_ += '\n';
-  }
-
   void WriteHead() {
     const GradientErrorSummary& s = report_.summary;
-    Line("scene           {}", report_.scene_name);
-    Line("candidate       {}, gradient {}", report_.candidate_name,
-         fmt::join(report_.data.value_names, ","));
-    Line("tolerance       {}", Exactly(report_.tolerance));
+    lines_.Line("scene           {}", report_.scene_name);
+    lines_.Line("candidate       {}, gradient {}", report_.candidate_name,
+                fmt::join(report_.data.value_names, ","));
+    lines_.Line("tolerance       {}", Exactly(report_.tolerance));
     if (!s.compares_anything()) {
-      Line(
+      lines_.Line(
           "result          FAIL: E is discontinuous at every receiver, so that "
           "nothing was compared");
     } else {
-      Line("result          {}: {} of {} receivers fail",
-           report_.passes() ? "PASS" : "FAIL", s.failing(), s.receivers);
+      lines_.Line("result          {}: {} of {} receivers fail",
+                  report_.passes() ? "PASS" : "FAIL", s.failing(), s.receivers);
     }
-    Line("");
+    lines_.Line("");
   }
 
   void WriteTable() {
     const GradientErrorSummary& s = report_.summary;
-    Line("receivers       {:>8}", s.receivers);
-    Line("gradient > 0    {:>8}   exact {}, failing {}", s.sloping,
-         s.sloping_exact, s.sloping_failing);
-    Line("gradient = 0    {:>8}   exact {}, failing {}, largest value {}",
-         s.flat, s.flat_exact, s.flat_failing, Short(s.max_flat_absolute));
-    Line(
+    lines_.Line("receivers       {:>8}", s.receivers);
+    lines_.Line("gradient > 0    {:>8}   exact {}, failing {}", s.sloping,
+                s.sloping_exact, s.sloping_failing);
+    lines_.Line(
+        "gradient = 0    {:>8}   exact {}, failing {}, largest value {}",
+        s.flat, s.flat_exact, s.flat_failing, Short(s.max_flat_absolute));
+    lines_.Line(
         "at a kink       {:>8}   held against the nearest of the gradients "
         "there",
         s.kinks);
-    Line("discontinuous   {:>8}   not compared", s.discontinuous);
-    Line("not a number    {:>8}   or infinite", s.no_number);
+    lines_.Line("discontinuous   {:>8}   not compared", s.discontinuous);
+    lines_.Line("not a number    {:>8}   or infinite", s.no_number);
     if (s.relative) {
-      Line("");
+      lines_.Line("");
       WriteQuantiles("relative error ", *s.relative, Short);
       WriteQuantiles("angle [degrees]", *s.angle, DegreesText);
       WriteQuantiles("length off by  ", *s.lengthening, Short);
-      Line("  signed mean   {}", SignedText(s.mean_lengthening));
+      lines_.Line("  signed mean   {}", SignedText(s.mean_lengthening));
     }
     if (s.sloping + s.flat > 0)
-      Line("absolute error  max {} W/m^3", Short(s.max_absolute));
+      lines_.Line("absolute error  max {} W/m^3", Short(s.max_absolute));
   }
 
   template <class Text>
   void WriteQuantiles(std::string_view name, const Quantiles& q,
                       const Text& text) {
-    Line("{} 50 % {}, 95 % {}, 99 % {}, 100 % {}", name, text(q.median),
-         text(q.percentile_95), text(q.percentile_99), text(q.max));
+    lines_.Line("{} 50 % {}, 95 % {}, 99 % {}, 100 % {}", name, text(q.median),
+                text(q.percentile_95), text(q.percentile_99), text(q.max));
   }
 
   [[nodiscard]] std::string RowText(const GradientRow& row) const {
@@ -120,58 +95,47 @@ class GradientWriter {
     for (std::size_t k = 0; k < kinks.size() && k < kMost; ++k) {
       const Kink& kink = kinks[k];
       const Vector3& m = kink.normal;
-      Line("       kink across the plane with the normal {}{}",
-           TextOf(Point3{m.x, m.y, m.z}),
-           kink.faces.empty()
-               ? ": two edges cover each other"
-               : ", edge-on: " + TextOfFace(report_.scene, kink.faces.front()));
+      lines_.Line(
+          "       kink across the plane with the normal {}{}",
+          TextOf(Point3{m.x, m.y, m.z}),
+          kink.faces.empty()
+              ? ": two edges cover each other"
+              : ", edge-on: " + TextOfFace(report_.scene, kink.faces.front()));
     }
     if (kinks.size() > kMost)
-      Line("       and {} more kinks", kinks.size() - kMost);
+      lines_.Line("       and {} more kinks", kinks.size() - kMost);
   }
 
   void WriteWorst() {
     if (report_.worst.empty()) return;
-    Line("");
-    Line("worst receivers");
+    lines_.Line("");
+    lines_.Line("worst receivers");
     const GradientData& data = report_.data;
     for (std::size_t k = 0; k < report_.worst.size(); ++k) {
       const WorstGradient& worst = report_.worst[k];
       const std::size_t i = worst.receiver;
-      const Receiver& r = data.receivers[i];
       const GradientError& e = report_.errors[i];
-      Line("{:>3}. line {}: at {}, normal {}{}", k + 1, data.lines[i],
-           TextOf(r.position),
-           TextOf(Point3{r.normal.x, r.normal.y, r.normal.z}),
-           r.on_face > 0 ? fmt::format(", on face {}", r.on_face) : "");
-      Line("     candidate {}", RowText(data.values[i]));
-      Line("     truelux   {}", RowText(data.truth[i].gradient));
+      lines_.AddPlace(k, data, i);
+      lines_.Line("     candidate {}", RowText(data.values[i]));
+      lines_.Line("     truelux   {}", RowText(data.truth[i].gradient));
       if (e.no_number) {
-        Line("     not a number");
+        lines_.Line("     not a number");
       } else if (e.is_flat) {
-        Line("     gradient = 0; {} of the largest", Short(e.excess));
+        lines_.Line("     gradient = 0; {} of the largest", Short(e.excess));
       } else {
-        Line("     relative error {}, {} degrees, length {}", Short(e.excess),
-             DegreesText(e.angle), SignedText(e.lengthening));
+        lines_.Line("     relative error {}, {} degrees, length {}",
+                    Short(e.excess), DegreesText(e.angle),
+                    SignedText(e.lengthening));
       }
-      Line("     {}", SummaryOf(worst.detail));
+      lines_.Line("     {}", SummaryOf(worst.detail));
       WriteKinks(worst.kinks);
     }
   }
 
-  void WriteDiagnosis() {
-    if (report_.diagnosis.verdict == Verdict::kNothingFails) return;
-    Line("");
-    Line("diagnosis");
-    Line("  {}", report_.diagnosis.text);
-    for (const std::string& sentence : report_.diagnosis.equally)
-      Line("  equally well explained: {}", sentence);
-    for (const std::string& note : report_.diagnosis.notes)
-      Line("  {}", note);
-  }
+  void WriteDiagnosis() { lines_.AddDiagnosis(report_.diagnosis); }
 
   const GradientReport& report_;
-  std::string text_;
+  ReportLines lines_;
 };
 
 }  // namespace

@@ -7,18 +7,13 @@
 #include <cstddef>
 #include <fmt/format.h>
 
+#include "chart_parts.h"
 #include "draw/svg.h"
 #include "draw/svg_axis.h"
 
 namespace truelux::bench {
 namespace {
 
-constexpr double kPanelWidth = 400;
-constexpr double kPanelHeight = 420;
-constexpr double kLeft = 80;
-constexpr double kTop = 90;
-constexpr double kGap = 30;
-constexpr double kBottom = 60;
 constexpr double kLegendWidth = 200;
 
 bool IsShown(const Measurement& m) {
@@ -33,17 +28,6 @@ std::vector<Measurement> Shown(const std::vector<Measurement>& measurements,
       shown.push_back(m);
   }
   return shown;
-}
-
-/// Each name once, in the order of appearance.
-std::vector<std::string> Distinct(const std::vector<Measurement>& shown,
-                                  std::string Measurement::*name) {
-  std::vector<std::string> names;
-  for (const Measurement& m : shown) {
-    if (std::ranges::find(names, m.*name) == names.end())
-      names.push_back(m.*name);
-  }
-  return names;
 }
 
 /// What distinguishes a method within its family: "1024".
@@ -140,16 +124,6 @@ class Panel {
   DecadeAxis y_axis_;
 };
 
-std::string Legend(double left, const std::vector<std::string>& families) {
-  std::string svg;
-  for (std::size_t i = 0; i < families.size(); ++i) {
-    const double y = kTop + 14 + 24 * static_cast<double>(i);
-    svg += SvgMarker(left + 8, y, i);
-    svg += SvgText(left + 22, y + 4, "start", 13, families[i]);
-  }
-  return svg;
-}
-
 }  // namespace
 
 std::string ErrorChart(const std::vector<Measurement>& measurements,
@@ -168,12 +142,7 @@ std::string ErrorChart(const std::vector<Measurement>& measurements,
   const double legend = kLeft + panels * (kPanelWidth + kGap);
   const double width = legend + kLegendWidth;
   const double height = kTop + kPanelHeight + kBottom;
-  std::string svg = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\""
-      " viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\">\n"
-      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-      width, height);
+  std::string svg = ChartStart(width, height);
   svg += SvgText(kLeft, 26, "start", 16, "Irradiance behind random triangles");
   svg += SvgText(kLeft, 45, "start", 12,
                  "numbers beside lines: shadow rays, or rows of the scanline");
@@ -195,7 +164,7 @@ std::string ErrorChart(const std::vector<Measurement>& measurements,
       if (points.size() > 1) ++lines;
     }
   }
-  return svg + Legend(legend, families) + "</svg>\n";
+  return svg + ChartLegend(legend, families) + "</svg>\n";
 }
 
 }  // namespace truelux::bench

@@ -6,30 +6,14 @@
 #include <cstddef>
 #include <fmt/format.h>
 
+#include "chart_parts.h"
 #include "draw/svg.h"
 #include "draw/svg_axis.h"
 
 namespace truelux::bench {
 namespace {
 
-constexpr double kPanelWidth = 400;
-constexpr double kPanelHeight = 420;
-constexpr double kLeft = 80;
-constexpr double kTop = 90;
-constexpr double kGap = 30;
-constexpr double kBottom = 60;
 constexpr double kLegendWidth = 230;
-
-/// Each name once, in the order of appearance.
-std::vector<std::string> Distinct(const std::vector<StepCurve>& curves,
-                                  std::string StepCurve::*name) {
-  std::vector<std::string> names;
-  for (const StepCurve& curve : curves) {
-    if (std::ranges::find(names, curve.*name) == names.end())
-      names.push_back(curve.*name);
-  }
-  return names;
-}
 
 /// The frame, the series and the axes of one receiver.
 class Panel {
@@ -97,16 +81,6 @@ class Panel {
   DecadeAxis y_axis_;
 };
 
-std::string Legend(double left, const std::vector<std::string>& methods) {
-  std::string svg;
-  for (std::size_t i = 0; i < methods.size(); ++i) {
-    const double y = kTop + 14 + 24 * static_cast<double>(i);
-    svg += SvgMarker(left + 8, y, i);
-    svg += SvgText(left + 22, y + 4, "start", 13, methods[i]);
-  }
-  return svg;
-}
-
 }  // namespace
 
 std::string StepChart(const std::vector<StepCurve>& curves) {
@@ -126,12 +100,7 @@ std::string StepChart(const std::vector<StepCurve>& curves) {
   const double legend = kLeft + panels * (kPanelWidth + kGap);
   const double width = legend + kLegendWidth;
   const double height = kTop + kPanelHeight + kBottom;
-  std::string svg = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\""
-      " viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\">\n"
-      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-      width, height);
+  std::string svg = ChartStart(width, height);
   svg += SvgText(kLeft, 26, "start", 16, "Gradients by central differences");
   svg += SvgText(kLeft, 45, "start", 12,
                  "error of the worst component, relative to the length of the"
@@ -150,7 +119,7 @@ std::string StepChart(const std::vector<StepCurve>& curves) {
                           static_cast<std::size_t>(index - methods.begin()));
     }
   }
-  return svg + Legend(legend, methods) + "</svg>\n";
+  return svg + ChartLegend(legend, methods) + "</svg>\n";
 }
 
 }  // namespace truelux::bench

@@ -53,15 +53,15 @@ class PlaneSight {
 
   struct Edge {
     Segment segment;
-    int line;
+    int line = 0;
   };
 
   /// The part of a source in the plane: the hull of the segments.
   struct Source {
     std::vector<Segment> segments;
-    Vec3<double> front;
+    Vec3<double> front{};
     Point3 corner;
-    double slack;  ///< of heights over the source
+    double slack = 0;  ///< of heights over the source
   };
 
   /// Directions (x - t) / y, which fall from left to right.

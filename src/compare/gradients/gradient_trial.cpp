@@ -90,6 +90,7 @@ std::optional<AloneSums> GradientTrial::FindAloneSums() {
   const double scale =
       oracle_.options().emission == Emission::kRadiance ? std::numbers::pi : 1;
   std::vector<FormFactorTable> factors;
+  factors.reserve(receivers.size());
   for (const Receiver& receiver : receivers)
     factors.push_back(oracle_.FormFactors(receiver));
   const std::size_t count = receivers.size();

@@ -69,7 +69,7 @@ class FieldSummer {
       rises_.push_back(Dot(arcs_.ReceiverNormal(), arcs_.Unit(id)));
   }
 
-  BallFields<T> Find() const {
+  [[nodiscard]] BallFields<T> Find() const {
     const WeightedContour& contour = arcs_.contour();
     const std::optional<Rgb> common = CommonWeights(contour);
     BallFields<T> fields;

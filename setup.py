@@ -54,6 +54,7 @@ def setup_anew() -> None:
     from skbuild import setup
 
     setup(cmake_args=["-DCMAKE_BUILD_TYPE=Release", "-DTRUELUX_BUILD_PYTHON=ON",
+                      "-DTRUELUX_BUILD_PROGRAM=OFF",
                       "-DTRUELUX_BUILD_TESTS=OFF",
                       "-DTRUELUX_BUILD_EXAMPLES=OFF",
                       "-DTRUELUX_PYTHON_DIR=bindings/python"],

@@ -104,7 +104,7 @@ ExitStatus Run(int argc, char** argv) {
   } catch (const UserError& error) {
     Print(error.diagnostics());
     return ExitStatus::kBadInput;
-  } catch (const Interruption&) {
+  } catch (const Stopped&) {
     PrintLine("interrupted");
     return ExitStatus::kInterrupted;
   }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The library, its headers, and what find_package(truelux) and pkg-config need.
+# The libraries, their headers, and what find_package(truelux) and pkg-config need.
 # Components: `library` (the kind that was asked for), `development` (headers
 # and what does not depend on the kind), `program`, `man`.
 include(CMakePackageConfigHelpers)
@@ -7,8 +7,8 @@ include(CMakePackageConfigHelpers)
 set(_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/truelux)
 set(_pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-# truelux_install_library(TARGET COMPONENT [options of install]): one kind of
-# the library with the files that describe it.
+# truelux_install_library(TARGET COMPONENT [options of install]): one kind of a
+# library with the files that describe it.
 function(truelux_install_library target component)
   install(TARGETS ${target} EXPORT ${target}-targets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -17,11 +17,13 @@ function(truelux_install_library target component)
       COMPONENT ${component} NAMELINK_COMPONENT ${component} ${ARGN}
     INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   get_target_property(type ${target} TYPE)
+  get_target_property(name ${target} OUTPUT_NAME)
   install(EXPORT ${target}-targets NAMESPACE truelux::
-    FILE truelux-targets-${type}.cmake
+    FILE ${name}-targets-${type}.cmake
     DESTINATION ${_package_dir} COMPONENT ${component} ${ARGN})
 
   # A static library does not know what it needs: whoever links it links that.
+  set(PC_NAME ${name})
   set(PC_LIBS "")
   # Before FLINT 3 Arb was a library of its own (truelux_libraries.cmake).
   set(PC_PRIVATE_LIBS "-lflint -lmpfr -lgmp")
@@ -30,9 +32,16 @@ function(truelux_install_library target component)
     string(REGEX REPLACE "^lib" "-l" _arb ${_arb})
     string(PREPEND PC_PRIVATE_LIBS "${_arb} ")
   endif()
+  set(PC_REQUIRES "")
+  set(PC_PRIVATE_REQUIRES "")
+  if(name STREQUAL truelux_tools)
+    set(PC_PRIVATE_REQUIRES "fmt tbb OpenEXR libpng")
+  endif()
   if(type STREQUAL STATIC_LIBRARY)
     set(PC_LIBS " ${PC_PRIVATE_LIBS}")
     set(PC_PRIVATE_LIBS "")
+    set(PC_REQUIRES ${PC_PRIVATE_REQUIRES})
+    set(PC_PRIVATE_REQUIRES "")
   endif()
   # The prefix as seen from the file, so that the folder may be moved.
   file(RELATIVE_PATH PC_PREFIX /prefix/${_pkgconfig_dir} /prefix)
@@ -40,18 +49,22 @@ function(truelux_install_library target component)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/truelux.pc.in
     ${PROJECT_BINARY_DIR}/cmake/${target}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/cmake/${target}.pc
-    DESTINATION ${_pkgconfig_dir} RENAME truelux.pc
+    DESTINATION ${_pkgconfig_dir} RENAME ${name}.pc
     COMPONENT ${component} ${ARGN})
 endfunction()
 
-truelux_install_library(truelux_library library)
-if(TARGET truelux_other_library)
-  truelux_install_library(truelux_other_library other_kind EXCLUDE_FROM_ALL)
-endif()
+foreach(_name library tools_library)
+  truelux_install_library(truelux_${_name} library)
+  if(TARGET truelux_other_${_name})
+    truelux_install_library(truelux_other_${_name} other_kind EXCLUDE_FROM_ALL)
+  endif()
+endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/truelux
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
-install(TARGETS truelux
-  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+if(TRUELUX_BUILD_PROGRAM)
+  install(TARGETS truelux
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+endif()
 
 configure_package_config_file(
   ${PROJECT_SOURCE_DIR}/cmake/truelux-config.cmake.in

@@ -9,6 +9,7 @@ set(_truelux_pages
   "bench|compare methods on a scene, speed against error"
   "compare|hold another program's values against the truth"
   "eval|irradiance at receivers in a scene"
+  "gradient|how irradiance changes when receivers and vertices move"
   "inspect|all that one receiver sees, as a picture and as numbers"
   "render|pictures of a scene, one irradiance a pixel"
   "stability|accuracy of every formula on hard families")

@@ -25,7 +25,7 @@ struct BenchArguments {
   bool arrangement = false;
 };
 
-/// Runs it. Throws UserError for bad input, and Interruption.
+/// Runs it. Throws UserError for bad input, and Stopped.
 ExitStatus RunBench(const BenchArguments& arguments);
 
 }  // namespace truelux

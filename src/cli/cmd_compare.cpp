@@ -41,7 +41,7 @@ struct CompareRequest {
   std::optional<std::string> json;  ///< path; "": standard output
   std::optional<std::size_t> channel;
   std::optional<Quantity> quantity;  ///< nothing: what the columns say
-  CompareOptions options;
+  CompareSettings options;
 };
 
 std::optional<std::size_t> ChannelOf(const std::optional<std::string>& word) {
@@ -67,6 +67,7 @@ CompareRequest RequestOf(const CompareArguments& arguments) {
   request.options.tolerance = SizeValue("--tolerance", arguments.tolerance);
   request.options.truth.emission = EmissionOf(arguments.emission);
   request.options.threads = ThreadsOf(arguments.threads);
+  request.options.watch = UserAtTerminal();
   for (const Quantity quantity :
        {Quantity::kIrradiance, Quantity::kFormFactor, Quantity::kGradient}) {
     if (arguments.quantity == Name(quantity)) request.quantity = quantity;
@@ -131,7 +132,7 @@ Texts Compare(const CompareRequest& request, const OutputPaths& outputs) {
   if (auto* data = std::get_if<GradientData>(&candidate.data)) {
     tell_faces(*data);
     const GradientReport report =
-        Named(CompareGradients(scene, std::move(*data), request.options),
+        Named(CompareGradientData(scene, std::move(*data), request.options),
               request, file);
     return {GradientText(report), GradientJson(report, VersionText()),
             report.passes()};

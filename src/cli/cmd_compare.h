@@ -27,7 +27,7 @@ struct CompareArguments {
 };
 
 /// Runs it: kComparisonFailed if a receiver fails. Throws UserError for bad
-/// input, and Interruption.
+/// input, and Stopped.
 ExitStatus RunCompare(const CompareArguments& arguments);
 
 }  // namespace truelux

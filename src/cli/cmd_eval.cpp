@@ -172,9 +172,6 @@ ExitStatus RunEval(const EvalArguments& arguments) {
     RowSink& sink = part ? static_cast<RowSink&>(*part) : rows;
     try {
       return EvaluateTable(oracle, input, faces, sink, task);
-    } catch (const Interruption&) {
-      NoteKept(request, part);
-      throw;
     } catch (const Stopped&) {
       NoteKept(request, part);
       throw;

@@ -9,7 +9,7 @@
 
 namespace truelux {
 
-/// Runs it. Throws UserError for bad input, and Interruption.
+/// Runs it. Throws UserError for bad input, and Stopped.
 ExitStatus RunEval(const EvalArguments& arguments);
 
 }  // namespace truelux

@@ -28,7 +28,7 @@ struct GradientArguments {
   std::string threads;
 };
 
-/// Runs it. Throws UserError for bad input, and Interruption.
+/// Runs it. Throws UserError for bad input, and Stopped.
 ExitStatus RunGradient(const GradientArguments& arguments);
 
 }  // namespace truelux

@@ -25,7 +25,7 @@ struct InspectArguments {
   std::string emission;
 };
 
-/// Runs it. Throws UserError for bad input, and Interruption.
+/// Runs it. Throws UserError for bad input, and Stopped.
 ExitStatus RunInspect(const InspectArguments& arguments);
 
 }  // namespace truelux

@@ -8,16 +8,18 @@
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <variant>
 #include <vector>
 
+#include "truelux/picture.h"
 #include "truelux/stop.h"
 
 #include "cli/loading.h"
 #include "cli/part_key.h"
 #include "image/extra_picture.h"
 #include "image/kink_jumps.h"
-#include "image/picture.h"
 #include "image/picture_view.h"
 #include "image/pixel_part.h"
 #include "image/pixel_table.h"
@@ -28,6 +30,7 @@
 #include "run/messages.h"
 #include "run/output_file.h"
 #include "run/progress.h"
+#include "run/user_error.h"
 #include "text/receiver_sample.h"
 
 namespace truelux {
@@ -75,16 +78,23 @@ RenderedPixels RenderShowingProgress(const Oracle& oracle,
     }
     const auto* surface = std::get_if<SurfaceFrame>(&frame.frame);
     if (request.wishes.gradients && surface != nullptr) {
-      pixels.kinks =
-          FindKinkJumps(oracle, *surface, receivers, request.threads);
+      pixels.kinks = FindKinkJumps(oracle, *surface, receivers, request.threads,
+                                   UserAtTerminal());
     }
     return pixels;
-  } catch (const Interruption&) {
-    NoteKept(part, receivers);
-    throw;
   } catch (const Stopped&) {
     NoteKept(part, receivers);
     throw;
+  }
+}
+
+/// The arguments of pictures are options here.
+template <class F>
+auto ByOptions(const F& f) {
+  try {
+    return f();
+  } catch (const std::invalid_argument& error) {
+    throw UserError(std::string("--") + error.what());
   }
 }
 
@@ -145,10 +155,11 @@ ExitStatus RunRender(const RenderArguments& arguments) {
   std::vector<std::filesystem::path> scene_files;
   const Oracle oracle(LoadScene(request.scene, Outputs(request), &scene_files),
                       request.options);
-  const PictureFrame frame = FrameOf(oracle.scene(), request.subject);
+  const PictureFrame frame =
+      ByOptions([&] { return FrameOf(oracle.scene(), request.subject); });
   Print(frame.notes);
-  const std::unique_ptr<PixelReceivers> shown =
-      ReceiversOf(oracle.scene(), frame, request.size);
+  const std::unique_ptr<PixelReceivers> shown = ByOptions(
+      [&] { return ReceiversOf(oracle.scene(), frame, request.size); });
   const std::unique_ptr<PixelReceivers> other =
       OnOtherFaces(oracle.scene(), *shown, request);
   const PixelReceivers& receivers = other ? *other : *shown;

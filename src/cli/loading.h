@@ -46,7 +46,7 @@ ReceiverInput OpenReceivers(const std::string& path, const OutputPaths& outputs,
                             FaceWords& faces);
 
 /// The receivers of a whole table, with their faces found. Throws UserError
-/// with all defects, or if the table is an output, and Interruption.
+/// with all defects, or if the table is an output, and Stopped.
 std::vector<Receiver> LoadReceivers(const std::string& path,
                                     const OutputPaths& outputs,
                                     FaceWords& faces);

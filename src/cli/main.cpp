@@ -51,11 +51,7 @@ ExitStatus RunGuarded(int argc, char** argv) {
   } catch (const UserError& error) {
     Print(error.diagnostics());
     return ExitStatus::kBadInput;
-  } catch (const Interruption&) {
-    NoMoreHurry();
-    PrintLine("interrupted");
-    return ExitStatus::kInterrupted;
-  } catch (const Stopped&) {  // by the same signal, within the library
+  } catch (const Stopped&) {  // by a signal
     NoMoreHurry();
     PrintLine("interrupted");
     return ExitStatus::kInterrupted;

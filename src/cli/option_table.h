@@ -49,7 +49,7 @@ struct Command {
   std::string examples;  ///< lines below them; the last one ended
   std::vector<OptionRow> options;  ///< in the order of the help text
   /// Called when the targets are filled. Keeps them alive. Throws UsageError,
-  /// UserError and Interruption.
+  /// UserError and Stopped.
   std::function<ExitStatus()> run;
 };
 

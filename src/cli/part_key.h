@@ -16,7 +16,7 @@ namespace truelux {
 /// A hash of the version, the options, and the contents of the scene's files
 /// and of the receivers. The number of threads is not in it. files: what the
 /// scene was read from. Throws UserError if the receivers cannot be read, and
-/// Interruption.
+/// Stopped.
 [[nodiscard]] std::string PartKey(
     const EvalRequest& request,
     const std::vector<std::filesystem::path>& files);

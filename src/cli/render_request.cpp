@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fmt/format.h>
+#include <stdexcept>
 #include <variant>
 
 #include "truelux/io.h"
@@ -69,7 +70,7 @@ void ParseOutputs(const RenderArguments& arguments, RenderRequest& request) {
   }
 }
 
-CameraFrame ParseCamera(const RenderArguments& arguments) {
+Camera ParseCamera(const RenderArguments& arguments) {
   const auto triple = [](const char* option,
                          const std::optional<std::string>& word) {
     if (!word) {
@@ -93,9 +94,8 @@ CameraFrame ParseCamera(const RenderArguments& arguments) {
   }
   const Camera camera{{ex, ey, ez}, {tx, ty, tz}, {ux, uy, uz}, *fov};
   std::string defect;
-  const std::optional<CameraFrame> frame = CameraFrameOf(camera, defect);
-  if (!frame) throw UsageError("the camera: " + defect);
-  return *frame;
+  if (!CameraFrameOf(camera, defect)) throw UsageError("the camera: " + defect);
+  return camera;
 }
 
 PictureSubject ParseSubject(const RenderArguments& arguments) {
@@ -131,7 +131,12 @@ PictureSize ParseSize(const std::string& text, bool is_surface) {
   } else if (!is_surface) {
     size.height = size.width;
   }
-  if (size.height > 0) CheckPixelCount(size.width, size.height);
+  if (size.height == 0) return size;
+  try {
+    CheckPixelCount(size.width, size.height);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--") + error.what());
+  }
   return size;
 }
 

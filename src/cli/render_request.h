@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "truelux/irradiance.h"
+#include "truelux/picture.h"
 
 #include "cli/input_arguments.h"
 #include "cli/output_paths.h"
 #include "image/extra_picture.h"
-#include "image/picture_style.h"
 #include "image/picture_view.h"
 #include "image/render_pixels.h"
 

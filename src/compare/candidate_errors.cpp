@@ -105,12 +105,14 @@ std::uint64_t UlpsBetween(double a, double b) {
          static_cast<std::uint64_t>(std::min(rank_a, rank_b));
 }
 
-void UlpHistogram::Add(std::uint64_t ulps) {
-  const auto bin = std::ranges::lower_bound(kLast, ulps);
-  ++counts[static_cast<std::size_t>(bin - kLast.begin())];
+void CountUlps(std::uint64_t ulps, UlpHistogram& histogram) {
+  const auto bin = std::ranges::lower_bound(UlpHistogram::kLast, ulps);
+  ++histogram
+        .counts[static_cast<std::size_t>(bin - UlpHistogram::kLast.begin())];
 }
 
-std::string UlpHistogram::BinText(std::size_t bin) {
+std::string UlpBinText(std::size_t bin) {
+  constexpr auto& kLast = UlpHistogram::kLast;
   constexpr std::uint64_t kReadable = 1000;
   const auto number = [](std::uint64_t n) {
     return n < kReadable ? fmt::to_string(n)
@@ -148,7 +150,7 @@ CandidateSummary Summarize(std::span<const CandidateError> errors) {
     if (!e.passes) ++summary.lit_failing;
     sizes.push_back(*e.error.relative);
     signed_sum += e.signed_relative;
-    summary.ulps.Add(e.ulps);
+    CountUlps(e.ulps, summary.ulps);
   }
   if (sizes.empty()) return summary;
   const auto count = static_cast<double>(sizes.size());

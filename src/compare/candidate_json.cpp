@@ -37,8 +37,7 @@ Json SummaryJson(const CandidateSummary& s) {
   json["max_absolute_error"] = NumberJson(s.max_absolute);
   Json ulps = Json::array();
   for (std::size_t i = 0; i < s.ulps.counts.size(); ++i) {
-    ulps.push_back(
-        {{"ulps", UlpHistogram::BinText(i)}, {"receivers", s.ulps.counts[i]}});
+    ulps.push_back({{"ulps", UlpBinText(i)}, {"receivers", s.ulps.counts[i]}});
   }
   json["ulp_histogram"] = std::move(ulps);
   return json;

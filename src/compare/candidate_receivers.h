@@ -19,8 +19,10 @@ struct CandidateReceivers {
   std::vector<std::string> value_names;  ///< of the compared columns: "E_r"
   std::vector<std::size_t> channels;     ///< which channels of the scene
   std::vector<Receiver> receivers;
-  FoundFaces found;        ///< how faces of the receivers were found
-  std::vector<int> lines;  ///< of the receivers in the candidate's table
+  FoundFaces found;            ///< how faces of the receivers were found
+  const char* place = "line";  ///< what `lines` are, for reports
+  std::vector<std::size_t>
+      lines;  ///< of the receivers in the candidate's table
 };
 
 /// Some of them, by their indices; without `found`.
@@ -29,6 +31,7 @@ struct CandidateReceivers {
   CandidateReceivers some;
   some.value_names = all.value_names;
   some.channels = all.channels;
+  some.place = all.place;
   for (const std::size_t i : indices) {
     some.receivers.push_back(all.receivers[i]);
     some.lines.push_back(all.lines[i]);

@@ -62,8 +62,7 @@ class CandidateWriter {
       for (std::size_t i = 0; i < s.ulps.counts.size(); ++i) {
         if (s.ulps.counts[i] == 0) continue;
         if (!bins.empty()) bins += ", ";
-        bins +=
-            fmt::format("{}: {}", UlpHistogram::BinText(i), s.ulps.counts[i]);
+        bins += fmt::format("{}: {}", UlpBinText(i), s.ulps.counts[i]);
       }
       lines_.Line("ulps            {}", bins);
     }

@@ -4,7 +4,6 @@
 #ifndef TRUELUX_COMPARE_CANDIDATES_H_
 #define TRUELUX_COMPARE_CANDIDATES_H_
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -13,6 +12,7 @@
 
 #include "truelux/diagnostics.h"
 #include "truelux/geometry.h"
+#include "truelux/gradient_comparison.h"
 #include "truelux/receiver.h"
 
 #include "text/byte_source.h"
@@ -29,9 +29,6 @@ enum class Quantity {
   kGradient,    ///< dE/dr with the normal fixed [W/m^3]: columns grad_r_x ..
                 ///< grad_b_z, or for one channel grad_x, grad_y, grad_z
 };
-
-/// dE/dr of up to three channels [W/m^3].
-using GradientRow = std::array<Vector3, 3>;
 
 /// "r", "g", "b".
 [[nodiscard]] std::string_view ChannelName(std::size_t channel);

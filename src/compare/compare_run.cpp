@@ -9,9 +9,9 @@
 
 #include "truelux/irradiance.h"
 
+#include "base/stop.h"
 #include "compare/diagnosis.h"
 #include "explain/receiver_detail.h"
-#include "run/interrupt.h"
 #include "run/parallel.h"
 #include "run/progress.h"
 #include "scene/scene_variants.h"
@@ -19,20 +19,21 @@
 namespace truelux {
 namespace {
 
-void FindWorst(const DetailFinder& finder, int threads,
+void FindWorst(const DetailFinder& finder, const CompareSettings& settings,
                CandidateReport& report) {
   for (const std::size_t i : WorstOf(report.errors, kMostWorstCandidates))
     report.worst.push_back({i, {}});
-  Progress progress(report.worst.size());
-  ForEachInParallel(report.worst.size(), threads, progress, [&](std::size_t k) {
-    WorstCandidate& worst = report.worst[k];
-    worst.detail = finder.Find(report.data.receivers[worst.receiver], true);
-  });
+  Progress progress(report.worst.size(), kReceivers, settings.watch);
+  ForEachInParallel(
+      report.worst.size(), settings.threads, progress, [&](std::size_t k) {
+        WorstCandidate& worst = report.worst[k];
+        worst.detail = finder.Find(report.data.receivers[worst.receiver], true);
+      });
 }
 
 /// Looks at receivers as mistakes were tried on; at fewer in large scenes,
 /// since what coincides exactly is found slowly.
-void Classify(const DetailFinder& finder, int threads,
+void Classify(const DetailFinder& finder, const CompareSettings& settings,
               CandidateReport& report) {
   constexpr std::size_t kMostWork = 1'000'000;
   constexpr std::size_t kFewest = 8;
@@ -42,43 +43,45 @@ void Classify(const DetailFinder& finder, int threads,
       report.errors,
       std::clamp(kMostWork / triangles, kFewest, kMostTrialReceivers));
   report.classified.resize(indices.size());
-  Progress progress(indices.size());
-  ForEachInParallel(indices.size(), threads, progress, [&](std::size_t k) {
-    const std::size_t i = indices[k];
-    report.classified[k] = {finder.Find(report.data.receivers[i], false).traits,
-                            report.errors[i].passes};
-  });
+  Progress progress(indices.size(), kReceivers, settings.watch);
+  ForEachInParallel(indices.size(), settings.threads, progress,
+                    [&](std::size_t k) {
+                      const std::size_t i = indices[k];
+                      report.classified[k] = {
+                          finder.Find(report.data.receivers[i], false).traits,
+                          report.errors[i].passes};
+                    });
 }
 
-void FindReasons(const CompareOptions& options, CandidateReport& report) {
+void FindReasons(const CompareSettings& settings, CandidateReport& report) {
   if (WorstOf(report.errors, 1).empty()) {
     report.diagnosis = Diagnose(report.scene, report.data, report.errors,
-                                options.tolerance, options.truth, {});
+                                settings.tolerance, settings.truth, {});
     return;
   }
   const DetailFinder finder(report.scene);
-  FindWorst(finder, options.threads, report);
+  FindWorst(finder, settings, report);
   const SceneEvaluator evaluate = [&](const Scene& variant,
                                       std::span<const Receiver> receivers) {
-    StopIfInterrupted();
-    const Oracle oracle(
-        variant, {.emission = options.truth.emission, .stop = InterruptFlag()});
-    return IrradiancesOf(oracle, receivers, options.threads);
+    StopIfAsked(settings.watch.stop);
+    const Oracle oracle(variant, {.emission = settings.truth.emission,
+                                  .stop = settings.watch.stop});
+    return IrradiancesOf(oracle, receivers, settings);
   };
   report.diagnosis = Diagnose(report.scene, report.data, report.errors,
-                              options.tolerance, options.truth, evaluate);
+                              settings.tolerance, settings.truth, evaluate);
   if (report.diagnosis.verdict == Verdict::kUnexplained)
-    Classify(finder, options.threads, report);
+    Classify(finder, settings, report);
 }
 
 }  // namespace
 
 std::vector<Rgb> IrradiancesOf(const Oracle& oracle,
                                std::span<const Receiver> receivers,
-                               int threads) {
+                               const CompareSettings& settings) {
   std::vector<Rgb> values(receivers.size());
-  Progress progress(receivers.size());
-  EvaluateInParallel(oracle, receivers, threads, progress,
+  Progress progress(receivers.size(), kReceivers, settings.watch);
+  EvaluateInParallel(oracle, receivers, settings.threads, progress,
                      [&](std::size_t i, const Irradiance& irradiance) {
                        values[i] = irradiance.value;
                      });
@@ -86,22 +89,22 @@ std::vector<Rgb> IrradiancesOf(const Oracle& oracle,
 }
 
 CandidateReport CompareCandidate(const Scene& scene, CandidateData data,
-                                 const CompareOptions& options) {
+                                 const CompareSettings& settings) {
   CandidateReport report;
-  report.scene = options.truth.quantity == Quantity::kFormFactor
+  report.scene = settings.truth.quantity == Quantity::kFormFactor
                      ? WithUnitExitance(scene)
                      : scene;
-  report.options = options.truth;
-  report.tolerance = options.tolerance;
+  report.options = settings.truth;
+  report.tolerance = settings.tolerance;
   report.data = std::move(data);
-  const Oracle oracle(report.scene, {.emission = options.truth.emission,
-                                     .stop = InterruptFlag()});
+  const Oracle oracle(report.scene, {.emission = settings.truth.emission,
+                                     .stop = settings.watch.stop});
   for (const Rgb& value :
-       IrradiancesOf(oracle, report.data.receivers, options.threads))
+       IrradiancesOf(oracle, report.data.receivers, settings))
     report.data.truth.push_back(report.data.Compared(value));
-  report.errors = ErrorsOf(report.data, options.tolerance);
+  report.errors = ErrorsOf(report.data, settings.tolerance);
   report.summary = Summarize(report.errors);
-  FindReasons(options, report);
+  FindReasons(settings, report);
   return report;
 }
 

@@ -14,26 +14,29 @@
 #include "compare/candidate_errors.h"
 #include "compare/candidate_report.h"
 #include "compare/mistake_trial.h"
+#include "run/watch.h"
 
 namespace truelux {
 
 /// How a candidate is compared.
-struct CompareOptions {
+struct CompareSettings {
   TruthOptions truth{};
   double tolerance = 0;  ///< the largest relative error that passes
   int threads = 1;
+  Watch watch{};
 };
 
-/// The irradiances at some receivers, spread over threads. Throws Interruption.
+/// The irradiances at some receivers, spread over threads. Throws Stopped.
 [[nodiscard]] std::vector<Rgb> IrradiancesOf(
-    const Oracle& oracle, std::span<const Receiver> receivers, int threads);
+    const Oracle& oracle, std::span<const Receiver> receivers,
+    const CompareSettings& settings);
 
 /// Finds the truth, the errors, the worst receivers and, if a receiver fails,
 /// the reason. scene: as it was read. data: without the truth, see
-/// LoadCandidate. The names in the report are left empty. Throws Interruption.
+/// LoadCandidate. The names in the report are left empty. Throws Stopped.
 [[nodiscard]] CandidateReport CompareCandidate(const Scene& scene,
                                                CandidateData data,
-                                               const CompareOptions& options);
+                                               const CompareSettings& settings);
 
 }  // namespace truelux
 

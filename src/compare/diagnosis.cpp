@@ -34,7 +34,7 @@ std::vector<ValueExplanation> ExplanationsOf(MistakeTrial& trial,
   // No mistake, and before all that predict the same.
   if (std::optional<Hypothesis> on_faces = OnFaces(trial)) {
     const MistakeFit fit = FitOf(trial.data(), *on_faces, tolerance);
-    if (fit.Explains(false))
+    if (Explains(fit, false))
       explanations.push_back({std::move(*on_faces), fit});
   }
   for (const Mistake& mistake : Mistakes()) {
@@ -42,7 +42,7 @@ std::vector<ValueExplanation> ExplanationsOf(MistakeTrial& trial,
     for (Hypothesis& hypothesis : mistake.hypotheses(trial)) {
       hypothesis.mistake = mistake.name;
       const MistakeFit fit = FitOf(trial.data(), hypothesis, tolerance);
-      if (fit.Explains(hypothesis.factor.has_value()))
+      if (Explains(fit, hypothesis.factor.has_value()))
         explanations.push_back({std::move(hypothesis), fit});
     }
   }

@@ -8,11 +8,11 @@
 #include <optional>
 #include <span>
 
+#include "truelux/comparison.h"
 #include "truelux/scene.h"
 
 #include "compare/candidate_errors.h"
 #include "compare/mistake_trial.h"
-#include "compare/verdict.h"
 
 namespace truelux {
 

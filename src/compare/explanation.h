@@ -8,8 +8,9 @@
 #include <fmt/format.h>
 #include <span>
 
+#include "truelux/comparison.h"
+
 #include "compare/mistake_fit.h"
-#include "compare/verdict.h"
 
 namespace truelux {
 

@@ -24,7 +24,7 @@ LoadedCandidate LoadCandidate(ByteSource& source, const std::string& name,
       ReadRows<CandidateRow>(reader, name, [&](const CandidateRow& row) {
         rows.receivers.push_back(row.receiver);
         choices.push_back(row.face);
-        rows.lines.push_back(row.line);
+        rows.lines.push_back(static_cast<std::size_t>(row.line));
         if (reader.quantity() == Quantity::kGradient)
           gradients.push_back(row.gradient);
         else

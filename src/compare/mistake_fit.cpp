@@ -113,12 +113,13 @@ double LossOfFactor(std::span<const FitValue> lit, double factor) {
 
 }  // namespace
 
-bool MistakeFit::Explains(bool is_factor) const {
+bool Explains(const MistakeFit& fit, bool is_factor) {
   constexpr std::size_t kFewest = 3;
-  if (disputed < kFewest) return false;
-  if (is_factor) return 2 * loss_after < loss_before && 4 * loss_after < 1;
-  return 6 * disputed_loss_after < disputed_loss_before &&
-         loss_after < loss_before;
+  if (fit.disputed < kFewest) return false;
+  if (is_factor)
+    return 2 * fit.loss_after < fit.loss_before && 4 * fit.loss_after < 1;
+  return 6 * fit.disputed_loss_after < fit.disputed_loss_before &&
+         fit.loss_after < fit.loss_before;
 }
 
 MistakeFit FitOfDistances(std::span<const FitDistance> distances,

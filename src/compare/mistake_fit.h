@@ -30,44 +30,16 @@ inline constexpr double kRoundingOfSums = 1e-12;
 /// .. and by more than so many times the candidate's noise.
 inline constexpr double kNoiseTimes = 3;
 
-/// The distance of a candidate's value from the truth is measured by the
-/// larger of truth and prediction, in absolute value (where both are 0, by the
-/// largest truth of its channel); that from the prediction by the prediction,
-/// or by 1e-9 of the former if that is more: values at or above the threshold
-/// are not counted as dark. For a constant factor either is measured by itself. The loss of a
-/// value is the square of its distance, at most 1.
-///
-/// A value is disputed if prediction and truth differ by more than the
-/// candidate's noise can: 1e-12, and three times the median distance from the
-/// prediction where that is not 0; for a constant factor wherever the truth is
-/// not 0.
-struct MistakeFit {
-  std::size_t receivers = 0;  ///< tried
-  std::size_t disputed = 0;   ///< of these, with a disputed value
-  /// Over the disputed values: the median distance from the truth and from the
-  /// prediction.
-  double median_before = 0;
-  double median_after = 0;
-  /// The mean loss of all values.
-  double loss_before = 0;
-  double loss_after = 0;
-  /// The mean loss of the disputed values.
-  double disputed_loss_before = 0;
-  double disputed_loss_after = 0;
-  std::size_t passing_before = 0;  ///< receivers that pass
-  std::size_t passing_after = 0;   ///< .. if the prediction were the truth
-
-  /// Whether the hypothesis explains the candidate much better than the plain
-  /// scene does: at least three receivers are disputed, the mean loss of their
-  /// values falls to a sixth or less, and that of all values to a quarter at
-  /// most. For a factor, which noise may blur more: to a half.
-  [[nodiscard]] bool Explains(bool is_factor) const;
-};
-
 /// The fit of values by their distances; passing_before and passing_after are
 /// left 0. receivers: how many were tried.
 [[nodiscard]] MistakeFit FitOfDistances(std::span<const FitDistance> distances,
                                         std::size_t receivers);
+
+/// Whether the hypothesis explains the candidate much better than the plain
+/// scene does: at least three receivers are disputed, the mean loss of their
+/// values falls to a sixth or less, and that of all values to a quarter at
+/// most. For a factor, which noise may blur more: to a half.
+[[nodiscard]] bool Explains(const MistakeFit& fit, bool is_factor);
 
 /// How well a mistake explains a candidate, in words.
 [[nodiscard]] std::string TextOf(const MistakeFit& fit);

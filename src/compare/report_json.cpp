@@ -52,7 +52,7 @@ Json TripleJson(double x, double y, double z) {
 Json PlaceJson(const CandidateReceivers& candidate, std::size_t receiver) {
   const Receiver& r = candidate.receivers[receiver];
   Json json;
-  json["line"] = candidate.lines[receiver];
+  json[candidate.place] = candidate.lines[receiver];
   json["position"] = TripleJson(r.position.x, r.position.y, r.position.z);
   json["normal"] = TripleJson(r.normal.x, r.normal.y, r.normal.z);
   json["on_face"] = r.on_face;

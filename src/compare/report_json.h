@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
+#include "truelux/comparison.h"
 #include "truelux/scene.h"
 
 #include "compare/candidate_receivers.h"
-#include "compare/verdict.h"
 #include "explain/receiver_detail.h"
 
 namespace truelux {

@@ -28,7 +28,7 @@ void ReportLines::AddPlace(std::size_t number,
                            const CandidateReceivers& candidate,
                            std::size_t receiver) {
   const Receiver& r = candidate.receivers[receiver];
-  Line("{:>3}. line {}: at {}, normal {}{}", number + 1,
+  Line("{:>3}. {} {}: at {}, normal {}{}", number + 1, candidate.place,
        candidate.lines[receiver], TextOf(r.position),
        TextOf(Point3{r.normal.x, r.normal.y, r.normal.z}),
        r.on_face > 0 ? fmt::format(", on face {}", r.on_face) : "");

@@ -10,8 +10,9 @@
 #include <string>
 #include <utility>
 
+#include "truelux/comparison.h"
+
 #include "compare/candidate_receivers.h"
-#include "compare/verdict.h"
 
 namespace truelux {
 

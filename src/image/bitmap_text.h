@@ -6,8 +6,9 @@
 
 #include <string_view>
 
+#include "truelux/raster.h"
+
 #include "image/png_image.h"
-#include "image/raster.h"
 
 namespace truelux {
 

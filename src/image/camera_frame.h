@@ -8,17 +8,9 @@
 #include <string>
 
 #include "truelux/geometry.h"
+#include "truelux/render.h"
 
 namespace truelux {
-
-/// Where a camera is and how it looks.
-struct Camera {
-  Point3 eye;
-  Point3 target;  ///< the point in the middle of the picture
-  Vector3 up;     ///< what is above the middle; of any length
-  double fov =
-      0;  ///< from the lower to the upper edge of the picture [degrees]
-};
 
 /// The axes of a camera, orthogonal and of length 1 up to rounding.
 struct CameraFrame {

@@ -9,11 +9,11 @@
 #include <tuple>
 #include <utility>
 
+#include "base/stop.h"
 #include "exact/number.h"
 #include "exact/rational.h"
 #include "exact/sign.h"
 #include "exact/vec3.h"
-#include "run/interrupt.h"
 #include "scene/newell.h"
 
 namespace truelux {
@@ -79,8 +79,9 @@ std::set<Ends> OutlinesOf(const Scene& scene) {
 
 class Finder {
  public:
-  Finder(const Scene& scene, const std::array<Point3, 3>& surface)
-      : scene_(scene), surface_(surface) {}
+  Finder(const Scene& scene, const std::array<Point3, 3>& surface,
+         const StopFlag* stop)
+      : scene_(scene), surface_(surface), stop_(stop) {}
 
   EdgePlanes Find(std::size_t most_lines) {
     CollectLines();
@@ -88,7 +89,7 @@ class Finder {
     found_.is_complete = count <= most_lines;
     if (found_.is_complete) {
       for (std::size_t i = 0; i < count; ++i) {
-        StopIfInterrupted();
+        StopIfAsked(stop_);
         for (std::size_t j = i + 1; j < count; ++j)
           AddPair(static_cast<int>(i), static_cast<int>(j));
       }
@@ -116,7 +117,7 @@ class Finder {
     };
     std::map<Key, int> lines;
     for (const Ends& ends : OutlinesOf(scene_)) {
-      StopIfInterrupted();
+      StopIfAsked(stop_);
       if (is_level(ends[0]) && is_level(ends[1])) continue;
       const PrimitiveVector along = WithoutSign(
           MakePrimitive(Displacement<Exact>(At(ends[0]), At(ends[1]))));
@@ -138,7 +139,7 @@ class Finder {
         lines_at[end].insert(edge.line);
     }
     for (const auto& [vertex, lines] : lines_at) {
-      StopIfInterrupted();
+      StopIfAsked(stop_);
       for (auto i = lines.begin(); i != lines.end(); ++i) {
         for (auto j = std::next(i); j != lines.end(); ++j)
           AddPair(*i, *j);
@@ -182,6 +183,7 @@ class Finder {
 
   const Scene& scene_;
   const std::array<Point3, 3>& surface_;
+  const StopFlag* stop_;  ///< may be null
   EdgePlanes found_;
   std::map<Key, std::set<int>> planes_;  ///< to the lines in them
 };
@@ -190,8 +192,8 @@ class Finder {
 
 EdgePlanes EdgePlanesOf(const Scene& scene,
                         const std::array<Point3, 3>& surface,
-                        std::size_t most_lines) {
-  return Finder(scene, surface).Find(most_lines);
+                        std::size_t most_lines, const StopFlag* stop) {
+  return Finder(scene, surface, stop).Find(most_lines);
 }
 
 }  // namespace truelux

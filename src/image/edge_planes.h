@@ -12,6 +12,7 @@
 
 #include "truelux/geometry.h"
 #include "truelux/scene.h"
+#include "truelux/stop.h"
 
 #include "exact/primitive.h"
 
@@ -40,6 +41,9 @@ struct EdgePlanes {
   bool is_complete = true;
 };
 
+/// With more lines, all pairs would take too long.
+inline constexpr std::size_t kMostEdgeLines = 1024;
+
 /// A kink of irradiance on a flat surface lies in one of these planes
 /// [docs/derivatives.md, "Kinks"], if no faces pierce each other: the planes
 /// of faces, and those of two edges that meet, are parallel, or happen to be in
@@ -47,11 +51,12 @@ struct EdgePlanes {
 ///
 /// surface: three corners in the plane of the surface. Edges that lie in that
 /// plane are left out, since what is on a receiver's horizon has no weight.
-/// most_lines: with more lines pairs are only looked for at vertices. Throws
-/// Interruption.
+/// most_lines: with more lines pairs are only looked for at vertices. stop: may be
+/// null. Throws Stopped.
 [[nodiscard]] EdgePlanes EdgePlanesOf(const Scene& scene,
                                       const std::array<Point3, 3>& surface,
-                                      std::size_t most_lines = 1024);
+                                      std::size_t most_lines = kMostEdgeLines,
+                                      const StopFlag* stop = nullptr);
 
 }  // namespace truelux
 

@@ -7,15 +7,10 @@
 #include <span>
 #include <string>
 
-#include "image/irradiance_image.h"
+#include "truelux/picture.h"
+#include "truelux/rendered_pixels.h"
 
 namespace truelux {
-
-/// A text that a file carries under a name.
-struct ImageText {
-  std::string name;
-  std::string text;
-};
 
 /// The binary32 nearest to a value, ties to even; infinite if it is too large.
 [[nodiscard]] float NearestFloat(double value);

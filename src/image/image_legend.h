@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "truelux/raster.h"
+
 #include "image/false_colour.h"
 #include "image/png_image.h"
-#include "image/raster.h"
 
 namespace truelux {
 

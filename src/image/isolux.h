@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "image/raster.h"
+#include "truelux/raster.h"
 
 namespace truelux {
 

@@ -79,14 +79,16 @@ std::array<Point3, 3> CornersOf(const Scene& scene, const SurfaceFrame& frame) {
 class CrossingFinder {
  public:
   CrossingFinder(const Scene& scene, const SurfaceFrame& frame,
-                 const PixelReceivers& receivers)
+                 const PixelReceivers& receivers, const Watch& watch)
       : scene_(scene),
         receivers_(receivers),
         pixels_(scene, frame, receivers.width(), receivers.height()),
         aside_(AsideFor(pixels_)),
         at_(CornersOf(scene, frame)[0]),
         sources_(SourcesOf(scene)),
-        found_(EdgePlanesOf(scene, CornersOf(scene, frame))) {}
+        watch_(watch),
+        found_(EdgePlanesOf(scene, CornersOf(scene, frame), kMostEdgeLines,
+                            watch.stop)) {}
 
   [[nodiscard]] bool is_complete() const { return found_.is_complete; }
 
@@ -96,7 +98,7 @@ class CrossingFinder {
     std::atomic<std::size_t> count = 0;
     const std::size_t most = static_cast<std::size_t>(pixels_.width()) *
                              static_cast<std::size_t>(pixels_.height());
-    Progress progress(by_plane.size(), "planes");
+    Progress progress(by_plane.size(), "planes", watch_);
     ForEachInParallel(by_plane.size(), threads, progress, [&](std::size_t i) {
       if (count > most) return;
       by_plane[i] = CrossingsOf(found_.planes[i]);
@@ -177,6 +179,7 @@ class CrossingFinder {
   mpq_class aside_;
   Point3 at_;
   std::vector<SourceTriangle> sources_;
+  const Watch& watch_;
   EdgePlanes found_;
 };
 
@@ -222,10 +225,11 @@ Rgb JumpAt(const Oracle& oracle, const Crossing& crossing) {
 }  // namespace
 
 KinkJumps FindKinkJumps(const Oracle& oracle, const SurfaceFrame& frame,
-                        const PixelReceivers& receivers, int threads) {
+                        const PixelReceivers& receivers, int threads,
+                        const Watch& watch) {
   KinkJumps result;
   result.lengths = Raster<Rgb>(receivers.width(), receivers.height());
-  CrossingFinder finder(oracle.scene(), frame, receivers);
+  CrossingFinder finder(oracle.scene(), frame, receivers, watch);
   result.is_partial = !finder.is_complete();
   const auto crossings = finder.Find(threads);
   if (!crossings) {
@@ -233,7 +237,7 @@ KinkJumps FindKinkJumps(const Oracle& oracle, const SurfaceFrame& frame,
     return result;
   }
   std::vector<Rgb> jumps(crossings->size());
-  Progress progress(crossings->size(), "kink candidates");
+  Progress progress(crossings->size(), "kink candidates", watch);
   ForEachInParallel(crossings->size(), threads, progress, [&](std::size_t i) {
     jumps[i] = JumpAt(oracle, (*crossings)[i]);
   });

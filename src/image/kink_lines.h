@@ -4,8 +4,9 @@
 #ifndef TRUELUX_IMAGE_KINK_LINES_H_
 #define TRUELUX_IMAGE_KINK_LINES_H_
 
+#include "truelux/raster.h"
+
 #include "image/png_image.h"
-#include "image/raster.h"
 
 namespace truelux {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "image/picture.h"
+
+#include "truelux/picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,11 @@
 #include <string>
 #include <utility>
 
+#include "image/exr_image.h"
 #include "image/image_legend.h"
 #include "image/isolux.h"
 #include "image/png_image.h"
+#include "image/scalar_channel.h"
 #include "image/scalar_raster.h"
 #include "image/tone.h"
 #include "text/number_text.h"

@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <fmt/format.h>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "explain/edge_text.h"
 #include "image/camera_pixels.h"
 #include "image/surface_pixels.h"
-#include "run/user_error.h"
 #include "scene/group_selection.h"
 #include "scene/io/quoted.h"
 
@@ -41,14 +41,14 @@ std::string NamesText(const Scene& scene) {
 SurfaceFrame FrameNamed(const Scene& scene, const std::string& name) {
   const std::vector<int> faces = FacesOf(scene, GroupsNamed(scene, name));
   if (faces.empty()) {
-    throw UserError(fmt::format("--surface: no object or group {}; {}",
-                                Quoted(name), NamesText(scene)));
+    throw std::invalid_argument(fmt::format(
+        "surface: no object or group {}; {}", Quoted(name), NamesText(scene)));
   }
   std::string defect;
   std::optional<SurfaceFrame> frame = SurfaceFrameOf(scene, faces, defect);
   if (!frame) {
-    throw UserError(fmt::format("--surface: {} is no flat surface: {}",
-                                Quoted(name), defect));
+    throw std::invalid_argument(fmt::format(
+        "surface: {} is no flat surface: {}", Quoted(name), defect));
   }
   return std::move(*frame);
 }
@@ -67,8 +67,8 @@ std::vector<Diagnostic> NotesOn(const Scene& scene, const std::string& name,
 int HeightFor(const SurfaceFrame& frame, int width) {
   const double rows = std::round(width * frame.HeightByWidth());
   if (!(rows <= static_cast<double>(kMaxPixels))) {
-    throw UserError(
-        "--size: the surface is too long for square pixels; give WxH");
+    throw std::invalid_argument(
+        "size: the surface is too long for square pixels; give WxH");
   }
   return std::max(1, static_cast<int>(rows));
 }
@@ -82,7 +82,8 @@ std::unique_ptr<PixelReceivers> SurfaceReceivers(const Scene& scene,
   auto pixels =
       std::make_unique<SurfacePixels>(scene, frame, size.width, height);
   if (!pixels->IsFinite()) {
-    throw UserError("--surface: its coordinates are too large for pictures");
+    throw std::invalid_argument(
+        "surface: its coordinates are too large for pictures");
   }
   return pixels;
 }
@@ -91,15 +92,19 @@ std::unique_ptr<PixelReceivers> SurfaceReceivers(const Scene& scene,
 
 void CheckPixelCount(int width, int height) {
   if (std::int64_t{width} * height <= kMaxPixels) return;
-  throw UsageError(fmt::format(
-      "--size: {} x {} are more than {} pixels, which is the most that a "
+  throw std::invalid_argument(fmt::format(
+      "size: {} x {} are more than {} pixels, which is the most that a "
       "picture may have (it takes about 100 bytes of memory a pixel)",
       width, height, kMaxPixels));
 }
 
 PictureFrame FrameOf(const Scene& scene, const PictureSubject& subject) {
-  if (const auto* camera = std::get_if<CameraFrame>(&subject))
-    return {*camera, {}};
+  if (const auto* camera = std::get_if<Camera>(&subject)) {
+    std::string defect;
+    const std::optional<CameraFrame> frame = CameraFrameOf(*camera, defect);
+    if (!frame) throw std::invalid_argument("camera: " + defect);
+    return {*frame, {}};
+  }
   const auto& name = std::get<std::string>(subject);
   SurfaceFrame frame = FrameNamed(scene, name);
   std::vector<Diagnostic> notes = NotesOn(scene, name, frame);

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "image/rendered_pixels.h"
+#include "truelux/rendered_pixels.h"
+
 #include "image/tile_grid.h"
 #include "run/part_file.h"
 

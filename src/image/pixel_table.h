@@ -15,7 +15,7 @@ namespace truelux {
 /// Writes "x,y,z,nx,ny,nz,on_face,px,py" and a row for each pixel with a
 /// receiver, row of pixels after row: a receivers table that eval reads. px and
 /// py are the pixel's column and row from 0. Every number reads back to itself.
-/// Throws UserError if writing fails, and Interruption.
+/// Throws UserError if writing fails, and Stopped.
 void WritePixelReceivers(OutputFile& file, const PixelReceivers& receivers,
                          const IrradianceImage& image);
 

@@ -6,10 +6,10 @@
 
 #include <optional>
 
+#include "truelux/raster.h"
 #include "truelux/scene.h"
 
 #include "image/pixel_receivers.h"
-#include "image/raster.h"
 #include "run/progress.h"
 #include "text/face_choice.h"
 
@@ -20,7 +20,7 @@ namespace truelux {
 class PixelsOnFaces : public PixelReceivers {
  public:
   /// Finds all faces. pixels: must outlive the object. Counts rows of pixels in
-  /// `progress`. Throws Interruption.
+  /// `progress`. Throws Stopped.
   PixelsOnFaces(const Scene& scene, const PixelReceivers& pixels,
                 const FaceChoice& choice, int threads, Progress& progress);
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "image/raster.h"
+#include "truelux/raster.h"
 
 namespace truelux {
 

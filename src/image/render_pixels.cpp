@@ -10,8 +10,8 @@
 
 #include "truelux/derivatives.h"
 
+#include "explain/shadow_class.h"
 #include "image/tile_grid.h"
-#include "run/interrupt.h"
 #include "run/parallel.h"
 
 namespace truelux {
@@ -74,7 +74,7 @@ class Renderer {
     WithThreads(threads, [&] {
       tbb::parallel_for(std::size_t{0}, grid.size(), [&](std::size_t i) {
         if (part_ != nullptr && done[i]) return;
-        StopIfInterrupted();
+        progress_.StopIfAsked();
         Tile tile = MakeTile(grid[i]);
         Render(tile);
         if (part_ != nullptr) part_->Take(i, result_);
@@ -109,7 +109,7 @@ class Renderer {
       if (wishes_.bounds) result_.bounds.At(x, y) = e.bound;
       tile.classes.push_back(DarkClassOf(e.statistics));
       if (!is_long_) progress_.Advance();
-      StopIfInterrupted();
+      progress_.StopIfAsked();
     });
     if (other_) Compare(tile);
     if (wishes_.gradients) FindGradients(tile);
@@ -126,7 +126,7 @@ class Renderer {
         difference[k] =
             value[k] == e.value[k] ? 0 : std::fabs(value[k] - e.value[k]);
       }
-      StopIfInterrupted();
+      progress_.StopIfAsked();
     });
   }
 
@@ -140,7 +140,7 @@ class Renderer {
             const Vector3& g = derivatives.channels[k].tangential;
             result_.gradients.At(x, y)[k] = std::hypot(g.x, g.y, g.z);
           }
-          StopIfInterrupted();
+          progress_.StopIfAsked();
         });
   }
 
@@ -157,7 +157,7 @@ class Renderer {
   void Describe(const Tile& tile) {
     for (std::size_t i = 0; i < tile.pixels.size(); ++i) {
       progress_.Advance();
-      StopIfInterrupted();
+      progress_.StopIfAsked();
       const auto [x, y] = tile.pixels[i];
       if (tile.classes[i]) {
         if (wishes_.classes) result_.classes.At(x, y) = *tile.classes[i];

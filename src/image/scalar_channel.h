@@ -5,26 +5,9 @@
 #define TRUELUX_IMAGE_SCALAR_CHANNEL_H_
 
 #include "truelux/geometry.h"
+#include "truelux/picture.h"
 
 namespace truelux {
-
-/// Which number of a colour is shown.
-enum class ScalarChannel { kLuminance, kRed, kGreen, kBlue };
-
-/// The word on the command line.
-inline const char* Name(ScalarChannel channel) {
-  switch (channel) {
-    case ScalarChannel::kLuminance:
-      break;
-    case ScalarChannel::kRed:
-      return "r";
-    case ScalarChannel::kGreen:
-      return "g";
-    case ScalarChannel::kBlue:
-      return "b";
-  }
-  return "luminance";
-}
 
 /// One channel, or 0.2126 r + 0.7152 g + 0.0722 b (ITU-R BT.709), the luminance
 /// of linear sRGB.

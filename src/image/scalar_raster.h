@@ -7,10 +7,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "truelux/raster.h"
+#include "truelux/rendered_pixels.h"
+
 #include "image/false_colour.h"
-#include "image/irradiance_image.h"
 #include "image/png_image.h"
-#include "image/raster.h"
 
 namespace truelux {
 

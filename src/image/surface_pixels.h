@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "truelux/geometry.h"
+#include "truelux/raster.h"
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 
 #include "exact/double_double.h"
 #include "image/pixel_receivers.h"
-#include "image/raster.h"
 #include "image/surface_frame.h"
 
 namespace truelux {

@@ -6,7 +6,8 @@
 
 #include <cstdint>
 
-#include "image/irradiance_image.h"
+#include "truelux/rendered_pixels.h"
+
 #include "image/png_image.h"
 
 namespace truelux {

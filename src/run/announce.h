@@ -9,7 +9,7 @@
 namespace truelux {
 
 /// Replaces the last line on standard error, if that is a terminal. "": clears
-/// the line; to be called before anything is printed. Throws Interruption if
+/// the line; to be called before anything is printed. Throws Stopped if
 /// the program is interrupted, with the line cleared.
 void Announce(const std::string& what);
 

@@ -83,7 +83,7 @@ struct EvaluationTask {
 /// with the results to `sink`.
 ///
 /// The rows, and their order, do not depend on the number of threads. What is
-/// held in memory does not grow with the number of rows. Throws Interruption
+/// held in memory does not grow with the number of rows. Throws Stopped
 /// within one receiver per thread after the program was interrupted, and what
 /// the reader, the oracle and the output throw.
 EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,

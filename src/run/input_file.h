@@ -12,7 +12,7 @@
 
 namespace truelux {
 
-/// Read throws UserError if the file cannot be read, Interruption if the
+/// Read throws UserError if the file cannot be read, Stopped if the
 /// program is interrupted.
 class InputFile : public ByteSource {
  public:

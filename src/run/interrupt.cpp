@@ -80,7 +80,7 @@ void NoMoreHurry() {
 }
 
 void StopIfInterrupted() {
-  if (Interrupted()) throw Interruption{};
+  if (Interrupted()) throw Stopped();
 }
 
 void WaitUntilReadable(int fd) {

@@ -8,9 +8,6 @@
 
 namespace truelux {
 
-/// Thrown where work is left because the program was interrupted.
-struct Interruption {};
-
 /// From now on SIGINT, SIGTERM and SIGHUP make Interrupted() true. What does not
 /// look at it in time, however deep in a library it is, is ended by EndNow
 /// after a third of a second, or at the second signal. Writing to a closed pipe
@@ -26,11 +23,11 @@ void CatchSignals();
 /// Once the work has been left or is done: what remains takes its time.
 void NoMoreHurry();
 
-/// Throws Interruption if Interrupted().
+/// Throws Stopped if Interrupted().
 void StopIfInterrupted();
 
 /// Waits until a file descriptor can be read, or written, without blocking.
-/// Throws Interruption if the program is interrupted meanwhile.
+/// Throws Stopped if the program is interrupted meanwhile.
 void WaitUntilReadable(int fd);
 void WaitUntilWritable(int fd);
 

@@ -25,7 +25,7 @@ struct ReaderGone {};
 /// standard output is, is written directly.
 ///
 /// Errors are thrown as UserError; while it waits for the reader of a pipe,
-/// an interruption as Interruption; that the reader of standard output has gone
+/// an interruption as Stopped; that the reader of standard output has gone
 /// as ReaderGone.
 class OutputFile {
  public:

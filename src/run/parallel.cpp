@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "base/receiver_block.h"
-#include "run/interrupt.h"
 
 namespace truelux {
 
@@ -48,7 +47,7 @@ void ForEachInParallel(std::size_t count, int threads, Progress& progress,
                        const std::function<void(std::size_t)>& f) {
   WithThreads(threads, [&] {
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-      StopIfInterrupted();
+      progress.StopIfAsked();
       f(i);
       progress.Advance();
     });
@@ -74,12 +73,12 @@ void EvaluateShares(
     const std::size_t first = share * kReceiverBlock;
     const std::size_t count =
         std::min(kReceiverBlock, receivers.size() - first);
-    StopIfInterrupted();
+    progress.StopIfAsked();
     oracle.Evaluate(receivers.subspan(first, count),
                     [&](std::size_t i, const Irradiance& irradiance) {
                       take(first + i, irradiance);
                       progress.Advance();
-                      StopIfInterrupted();
+                      progress.StopIfAsked();
                     });
   });
 }

@@ -31,7 +31,7 @@ int ThreadsToHave(int wanted);
 void WithThreads(int threads, const std::function<void()>& work);
 
 /// f(0), f(1), .. f(count - 1), each once, in any order on any thread. Throws
-/// Interruption within one call per thread after the program was interrupted,
+/// Stopped within one call per thread after the watch of `progress` asks for it,
 /// and what f throws. Counts in `progress`.
 void ForEachInParallel(std::size_t count, int threads, Progress& progress,
                        const std::function<void(std::size_t)>& f);

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <unistd.h>
+#include <utility>
 
 namespace truelux {
 namespace {
@@ -15,6 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kQuietTime(2);
 constexpr std::chrono::milliseconds kPeriod(250);
+constexpr std::chrono::milliseconds kTellingPeriod(100);
 
 std::string DurationText(double seconds) {
   const auto whole = static_cast<std::uint64_t>(std::ceil(seconds));
@@ -41,12 +43,15 @@ std::string ProgressText(std::uint64_t done, std::optional<std::uint64_t> total,
   return text;
 }
 
-Progress::Progress(std::optional<std::uint64_t> total, std::string_view things)
-    : total_(total), things_(things) {
-  if (isatty(STDERR_FILENO) != 0) thread_ = std::thread([this] { Show(); });
+Progress::Progress(std::optional<std::uint64_t> total, std::string_view things,
+                   Watch watch)
+    : watch_(std::move(watch)), total_(total), things_(things) {
+  if (watch_.shows_line && isatty(STDERR_FILENO) != 0)
+    thread_ = std::thread([this] { Show(); });
 }
 
 Progress::~Progress() {
+  if (watch_.hook) Tell();
   if (!thread_.joinable()) return;
   {
     const std::lock_guard lock(mutex_);
@@ -54,6 +59,19 @@ Progress::~Progress() {
   }
   stop_signal_.notify_one();
   thread_.join();
+}
+
+void Progress::TellAtTimes() {
+  const std::unique_lock lock(telling_, std::try_to_lock);
+  if (!lock) return;  // another thread tells
+  const Clock::time_point now = Clock::now();
+  if (now - told_ < kTellingPeriod) return;
+  told_ = now;
+  Tell();
+}
+
+void Progress::Tell() {
+  watch_.hook({done(), total_.value_or(0), things_});
 }
 
 void Progress::Show() {

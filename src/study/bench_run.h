@@ -27,7 +27,7 @@ struct BenchLimits {
 
 /// Values, times and errors of all methods, in one thread. receivers: not
 /// empty; methods: at least one, the first gives the truth. Throws
-/// Interruption. The name of the scene is left empty.
+/// Stopped. The name of the scene is left empty.
 Comparison RunMethods(const Scene& scene, std::vector<Receiver> receivers,
                       const MethodList& list, const BenchLimits& limits);
 

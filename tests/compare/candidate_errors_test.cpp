@@ -84,19 +84,19 @@ TEST(CandidateErrors, UlpsAreCountedAcrossZeroAndPowersOfTwo) {
 TEST(CandidateErrors, UlpBinsHoldWhatTheySay) {
   UlpHistogram h;
   for (const std::uint64_t u : {0U, 1U, 2U, 3U, 4U, 5U, 16U, 17U, 256U, 257U})
-    h.Add(u);
-  h.Add(std::uint64_t{1} << 32U);
-  h.Add((std::uint64_t{1} << 52U) + 1);
-  h.Add(~std::uint64_t{0});
+    CountUlps(u, h);
+  CountUlps(std::uint64_t{1} << 32U, h);
+  CountUlps((std::uint64_t{1} << 52U) + 1, h);
+  CountUlps(~std::uint64_t{0}, h);
   EXPECT_EQ(h.counts,
             (std::array<std::size_t, 10>{1, 1, 1, 2, 2, 2, 1, 1, 0, 2}));
-  EXPECT_EQ(UlpHistogram::BinText(0), "0");
-  EXPECT_EQ(UlpHistogram::BinText(2), "2");
-  EXPECT_EQ(UlpHistogram::BinText(3), "3..4");
-  EXPECT_EQ(UlpHistogram::BinText(5), "17..256");
-  EXPECT_EQ(UlpHistogram::BinText(6), "257..2^16");
-  EXPECT_EQ(UlpHistogram::BinText(7), "2^16..2^32");
-  EXPECT_EQ(UlpHistogram::BinText(9), "> 2^52");
+  EXPECT_EQ(UlpBinText(0), "0");
+  EXPECT_EQ(UlpBinText(2), "2");
+  EXPECT_EQ(UlpBinText(3), "3..4");
+  EXPECT_EQ(UlpBinText(5), "17..256");
+  EXPECT_EQ(UlpBinText(6), "257..2^16");
+  EXPECT_EQ(UlpBinText(7), "2^16..2^32");
+  EXPECT_EQ(UlpBinText(9), "> 2^52");
 }
 
 TEST(CandidateErrors, SummaryAgreesWithBruteForce) {

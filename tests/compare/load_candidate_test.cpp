@@ -49,7 +49,7 @@ TEST(LoadCandidate, KeepsReceiversLinesAndValuesInTheOrderOfTheTable) {
       "2,0,0,0,0,1,0.25\n");
   ASSERT_EQ(data.receivers.size(), 2U);
   EXPECT_EQ(data.receivers[1].position.x, 2);
-  EXPECT_EQ(data.lines, (std::vector<int>{2, 4}));
+  EXPECT_EQ(data.lines, (std::vector<std::size_t>{2, 4}));
   EXPECT_EQ(data.values[0][0], 0.5);
   EXPECT_EQ(data.values[1][0], 0.25);
   EXPECT_EQ(data.value_names, std::vector<std::string>{"F"});

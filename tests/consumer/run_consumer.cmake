@@ -5,7 +5,8 @@
 #   cmake -DBUILD=... -DSOURCE=... -DWORK=... -DCOMPILER=... -DSANITIZE=...
 #         -DLIBDIR=lib -DSHARED=... -P run_consumer.cmake
 #
-# CGAL is made unfindable: the library's users need FLINT, GMP and MPFR only.
+# CGAL is made unfindable: the library's users need FLINT, GMP and MPFR only; of
+# truelux_tools also fmt, oneTBB, OpenEXR and libpng.
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -24,11 +25,13 @@ function(use_by_cmake kind)
     -DCMAKE_DISABLE_FIND_PACKAGE_CGAL=ON)
   run(${CMAKE_COMMAND} --build ${build})
   run(${build}/consumer)
+  run(${build}/tools_consumer)
 endfunction()
 
-# use_by_pkg_config(KIND): the same program, compiled by hand.
+# use_by_pkg_config(KIND PROGRAM MODULE): a program of the project compiled by
+# hand.
 find_program(PKG_CONFIG NAMES pkg-config pkgconf)
-function(use_by_pkg_config kind)
+function(use_by_pkg_config kind program module)
   if(NOT PKG_CONFIG)
     return()
   endif()
@@ -36,29 +39,30 @@ function(use_by_pkg_config kind)
   foreach(what cflags libs)
     execute_process(
       COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${libdir}/pkgconfig
-        ${PKG_CONFIG} --${what} truelux
+        ${PKG_CONFIG} --${what} ${module}
       OUTPUT_VARIABLE text OUTPUT_STRIP_TRAILING_WHITESPACE
       COMMAND_ERROR_IS_FATAL ANY)
     separate_arguments(${what} UNIX_COMMAND "${text}")
   endforeach()
-  set(program ${WORK}/by_pkg_config_${kind})
-  run(${COMPILER} ${flags} -std=c++20 ${cflags} ${SOURCE}/consumer.cpp
-    -o ${program} ${libs} -Wl,-rpath,${libdir})
-  run(${program})
+  set(binary ${WORK}/${program}_by_pkg_config_${kind})
+  run(${COMPILER} ${flags} -std=c++20 ${cflags} ${SOURCE}/${program}.cpp
+    -o ${binary} ${libs} -Wl,-rpath,${libdir})
+  run(${binary})
 endfunction()
 
 # A shared library shows what the headers declare, and nothing of CGAL.
-function(check_symbols library)
+function(check_symbols library shown)
   find_program(NM nm)
   if(NOT NM)
     return()
   endif()
   execute_process(COMMAND ${NM} -D -C --defined-only ${library}
     OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
-  if(NOT symbols MATCHES "truelux::Oracle::FormFactors")
-    message(FATAL_ERROR "${library} hides Oracle::FormFactors")
+  if(NOT symbols MATCHES "${shown}")
+    message(FATAL_ERROR "${library} hides ${shown}")
   endif()
-  foreach(inside "CGAL::" "truelux::ContourEngine" "truelux::SceneVariants")
+  foreach(inside "CGAL::" "truelux::ContourEngine" "truelux::SceneVariants"
+      "truelux::Diagnose" "truelux::OutputFile")
     if(symbols MATCHES "[^\n]* [TWVBDR] ${inside}[^\n]*")
       message(FATAL_ERROR "${library} shows ${CMAKE_MATCH_0}")
     endif()
@@ -79,9 +83,13 @@ foreach(component development other_kind)
 endforeach()
 foreach(kind static shared)
   use_by_cmake(${kind})
-  use_by_pkg_config(${kind})
+  use_by_pkg_config(${kind} consumer truelux)
+  use_by_pkg_config(${kind} tools_consumer truelux_tools)
 endforeach()
-check_symbols(${WORK}/shared/${LIBDIR}/libtruelux.so)
+check_symbols(${WORK}/shared/${LIBDIR}/libtruelux.so
+  "truelux::Oracle::FormFactors")
+check_symbols(${WORK}/shared/${LIBDIR}/libtruelux_tools.so
+  "truelux::CompareGradients")
 run(${WORK}/${asked}/bin/truelux --version)
 
 # The manual pages say what --help says.

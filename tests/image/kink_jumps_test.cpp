@@ -50,7 +50,7 @@ struct Floor {
 
   [[nodiscard]] KinkJumps Find(int threads = 1) const {
     return FindKinkJumps(oracle, std::get<SurfaceFrame>(frame.frame),
-                         *receivers, threads);
+                         *receivers, threads, {});
   }
 
   [[nodiscard]] Vector3 GradientAt(double x, double y) const {

@@ -11,9 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include "truelux/rendered_pixels.h"
+
 #include "image/extra_picture.h"
 #include "image/kink_jumps.h"
-#include "image/rendered_pixels.h"
 
 namespace truelux {
 namespace {

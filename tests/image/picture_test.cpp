@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which file a style makes of irradiances, and what the notes say.
 
-#include "image/picture.h"
+#include "truelux/picture.h"
 
 #include <limits>
 #include <string>

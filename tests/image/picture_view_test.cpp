@@ -4,12 +4,11 @@
 #include "image/picture_view.h"
 
 #include <memory>
-#include <optional>
+#include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "run/user_error.h"
 #include "support/scene_text.h"
 
 namespace truelux {
@@ -30,7 +29,7 @@ std::string ErrorOf(const PictureSubject& subject, const PictureSize& size) {
   try {
     const PictureFrame frame = FrameOf(scene, subject);
     const auto receivers = ReceiversOf(scene, frame, size);
-  } catch (const UserError& error) {
+  } catch (const std::invalid_argument& error) {
     return error.what();
   }
   return "";
@@ -59,32 +58,31 @@ TEST(PictureView, FacesThatLookToDifferentSidesAreNoted) {
 
 TEST(PictureView, ACameraSeesTheFirstFace) {
   const Scene scene = ThreeSurfaces();
-  std::string defect;
-  const std::optional<CameraFrame> camera =
-      CameraFrameOf({{3, 1, 5}, {3, 1, 0}, {0, 1, 0}, 20}, defect);
-  ASSERT_TRUE(camera) << defect;
-  const PictureFrame frame = FrameOf(scene, *camera);
+  const PictureFrame frame =
+      FrameOf(scene, Camera{{3, 1, 5}, {3, 1, 0}, {0, 1, 0}, 20});
   EXPECT_TRUE(frame.notes.empty()) << TextOf(frame.notes);
   const auto receivers = ReceiversOf(scene, frame, {3, 3});
   EXPECT_EQ(receivers->At(1, 1)->on_face, 1);
   EXPECT_EQ(receivers->At(1, 1)->position, (Point3{3, 1, 0}));
 }
 
-TEST(PictureView, SurfacesThatCannotBePicturedAreErrors) {
+TEST(PictureView, SubjectsThatCannotBePicturedAreErrors) {
+  EXPECT_EQ(ErrorOf(Camera{{3, 1, 5}, {3, 1, 5}, {0, 1, 0}, 20}, {8, 8}),
+            "camera: the eye and the target are the same point");
   EXPECT_EQ(ErrorOf("floor", {8, 0}), "");
   EXPECT_EQ(ErrorOf("roof", {8, 0}),
-            "error: --surface: no object or group 'roof'; there are 'floor', "
+            "surface: no object or group 'roof'; there are 'floor', "
             "'twosided', 'strip'");
   EXPECT_EQ(ErrorOf("strip", {8, 0}),
-            "error: --size: the surface is too long for square pixels; give "
+            "size: the surface is too long for square pixels; give "
             "WxH");
   EXPECT_EQ(ErrorOf("strip", {8, 8}), "");
 }
 
 TEST(PictureView, PicturesHaveAtMost2To26Pixels) {
   EXPECT_NO_THROW(CheckPixelCount(8192, 8192));
-  EXPECT_THROW(CheckPixelCount(8192, 8193), UsageError);
-  EXPECT_THROW(CheckPixelCount(65536, 65536), UsageError);  // 2^32
+  EXPECT_THROW(CheckPixelCount(8192, 8193), std::invalid_argument);
+  EXPECT_THROW(CheckPixelCount(65536, 65536), std::invalid_argument);  // 2^32
 }
 
 }  // namespace

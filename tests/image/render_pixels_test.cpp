@@ -16,6 +16,7 @@
 
 #include "truelux/derivatives.h"
 
+#include "explain/shadow_class.h"
 #include "image/extra_picture.h"
 #include "image/picture_view.h"
 #include "support/scene_text.h"

@@ -15,10 +15,10 @@
 #include <gtest/gtest.h>
 
 #include "truelux/irradiance.h"
+#include "truelux/raster.h"
 
 #include "explain/shadow_class.h"
 #include "image/camera_pixels.h"
-#include "image/raster.h"
 #include "image/surface_frame.h"
 #include "image/surface_pixels.h"
 #include "support/scenes.h"

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """python3 -m truelux over files."""
 
+import json
 import subprocess
 import sys
 
@@ -72,8 +73,8 @@ def test_maps_of_positions_and_normals(tmp_path, scene):
     points = np.stack([x, y, np.full_like(x, -1e-9)], axis=-1)
     points = points.astype(np.float32)
     for name, maps in (("p.exr", points), ("n.exr", normals)):
-        _truelux.write_exr(str(tmp_path / name), {
-            c: np.ascontiguousarray(maps[..., k]) for k, c in enumerate("RGB")})
+        (tmp_path / name).write_bytes(
+            _truelux.exr_bytes(maps, np.ones((12, 16), bool), []))
     for output in ("e.exr", "e.npy"):
         done = command("eval", obj, tmp_path / "p.exr", "--normals",
                        tmp_path / "n.exr", "-o", tmp_path / output)
@@ -103,6 +104,62 @@ def test_maps_of_positions_and_normals(tmp_path, scene):
                        tmp_path / "x.exr")
         assert done.returncode == 2 and match in done.stderr, done.stderr
     assert not (tmp_path / "x.exr").exists()
+
+
+def test_compare(tmp_path, scene, oracle, grid):
+    obj = obj_of(tmp_path, scene)
+    np.savez(tmp_path / "in.npz", points=grid, normals=UP)
+    truth = oracle.irradiance(grid, UP)
+    np.save(tmp_path / "e.npy", truth)
+    np.savez(tmp_path / "e.npz", E=truth)
+    done = command("eval", obj, tmp_path / "in.npz", "-o", tmp_path / "e.csv")
+    assert done.returncode == 0, done.stderr
+    for values, receivers in (("e.npy", "in.npz"), ("e.npz", "in.npz"),
+                              ("e.csv", "in.csv")):
+        (tmp_path / "in.csv").write_text(table_of(grid, UP))
+        done = command("compare", obj, tmp_path / receivers, tmp_path / values)
+        assert done.returncode == 0, done.stdout + done.stderr
+        assert f"candidate       {values}" in done.stdout
+    np.save(tmp_path / "e.npy", truth * 2)
+    done = command("compare", obj, tmp_path / "in.npz", tmp_path / "e.npy",
+                   "--tolerance", 0.5, "--json", tmp_path / "r.json")
+    assert done.returncode == 1 and "constant factor" in done.stdout
+    assert json.loads((tmp_path / "r.json").read_text())["tolerance"] == 0.5
+    np.save(tmp_path / "e.npy", truth[0])
+    for words, match in (
+            (("e.npy",), r"values: expected the shape (6, 5, 3)"),
+            (("in.npz",), "no array E; found points, normals"),
+            (("in.csv",), "lacks E_r, E_g, E_b"),
+            (("e.txt",), "expected a name that ends with"),
+            (("none.npy",), "none.npy")):
+        done = command("compare", obj, tmp_path / "in.npz",
+                       *(tmp_path / word for word in words))
+        assert done.returncode == 2 and match in done.stderr, done.stderr
+
+
+def test_compare_of_maps(tmp_path, scene):
+    normals = np.zeros((4, 6, 3))
+    normals[1:, :, 2] = 1
+    points = np.zeros((4, 6, 3))
+    points[..., 0] = np.linspace(-0.5, 0.5, 6)
+    points[..., 1] = np.linspace(-0.5, 0.5, 4)[:, None]
+    points = points.astype(np.float32).astype(float)
+    e = truelux.Oracle(scene).irradiance(points[1:], UP)
+    values = np.concatenate([np.full((1, 6, 3), 7.0), e])
+    covered = np.ones((4, 6), bool)
+    for name, array in (("p", points), ("n", normals), ("e", values),
+                        ("small", values[:3])):
+        (tmp_path / f"{name}.exr").write_bytes(
+            _truelux.exr_bytes(array, covered[:len(array)], []))
+    words = ("compare", obj_of(tmp_path, scene), tmp_path / "p.exr")
+    maps = ("--normals", tmp_path / "n.exr")
+    done = command(*words, tmp_path / "e.exr", *maps)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "0 of 18 receivers fail" in done.stdout
+    done = command(*words, tmp_path / "e.exr", *maps, "--tolerance", 0)
+    assert done.returncode == 1  # binary32
+    done = command(*words, tmp_path / "small.exr", *maps)
+    assert done.returncode == 2 and "expected 6 x 4 texels" in done.stderr
 
 
 @pytest.mark.parametrize("source, output, words", [

@@ -29,6 +29,12 @@ void BindOracle(pybind11::module_& module);
 /// Derivatives.
 void BindDerivatives(pybind11::module_& module);
 
+/// Other programs' values beside the truth.
+void BindComparison(pybind11::module_& module);
+
+/// Pictures.
+void BindRender(pybind11::module_& module);
+
 /// Images of OpenEXR.
 void BindExr(pybind11::module_& module);
 

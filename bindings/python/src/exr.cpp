@@ -5,14 +5,17 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
-#include <ImfOutputFile.h>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <map>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "truelux/picture.h"
 
 #include "bindings.h"
 #include "errors.h"
@@ -59,33 +62,32 @@ std::map<std::string, Channel> ReadExr(const std::string& path) {
   }
 }
 
-/// channels: at least one, all of one shape that is not empty.
-void WriteExr(const std::string& path,
-              std::map<std::string, Channel> channels) {
-  const auto height = static_cast<int>(channels.begin()->second.shape(0));
-  const auto width = static_cast<int>(channels.begin()->second.shape(1));
-  Imf::Header header(width, height);
-  header.compression() = Imf::ZIP_COMPRESSION;
-  Imf::FrameBuffer buffer;
-  for (auto& [name, pixels] : channels) {
-    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-    buffer.insert(name,
-                  SliceOf(pixels.mutable_data(), header.dataWindow(), width));
+/// The bytes of a file with R, G, B, shape (height, width, 3), and A.
+py::bytes ExrBytes(
+    const py::array_t<double, py::array::c_style>& values,
+    const py::array_t<bool, py::array::c_style>& covered,
+    const std::vector<std::pair<std::string, std::string>>& texts) {
+  const auto height = static_cast<int>(covered.shape(0));
+  const auto width = static_cast<int>(covered.shape(1));
+  IrradianceImage image{Raster<Rgb>(width, height),
+                        Raster<std::uint8_t>(width, height)};
+  for (std::size_t i = 0; i < image.values.pixels().size(); ++i) {
+    image.covered.pixels()[i] = covered.data()[i] ? 1 : 0;
+    for (std::size_t c = 0; c < 3; ++c)
+      image.values.pixels()[i][c] = values.data()[3 * i + c];
   }
-  try {
-    Imf::OutputFile file(path.c_str(), header);
-    file.setFrameBuffer(buffer);
-    file.writePixels(height);
-  } catch (const std::exception& defect) {
-    throw InputError({path + ": " + defect.what()});
-  }
+  PictureStyle style;
+  style.is_exr = true;
+  for (const auto& [name, text] : texts)
+    style.texts.push_back({name, text});
+  return py::bytes(PictureOf(image, style).bytes);
 }
 
 }  // namespace
 
 void BindExr(py::module_& module) {
   module.def("read_exr", ReadExr);
-  module.def("write_exr", WriteExr);
+  module.def("exr_bytes", ExrBytes);
 }
 
 }  // namespace truelux::python

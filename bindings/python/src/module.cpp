@@ -10,5 +10,7 @@ PYBIND11_MODULE(_truelux, module) {
   truelux::python::BindScene(module);
   truelux::python::BindOracle(module);
   truelux::python::BindDerivatives(module);
+  truelux::python::BindComparison(module);
+  truelux::python::BindRender(module);
   truelux::python::BindExr(module);
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle_options.h"
 
+#include <algorithm>
 #include <array>
+#include <oneapi/tbb/info.h>
 #include <span>
 #include <vector>
 
@@ -10,6 +12,7 @@
 namespace truelux::python {
 namespace {
 
+constexpr int kMaxThreads = 1024;
 constexpr std::array kEngines = {Engine::kContour, Engine::kArrangement,
                                  Engine::kAngularSpans};
 constexpr std::array kMethods = {Method::kCertified, Method::kDouble};
@@ -39,10 +42,14 @@ OracleOptions Choice::Options(const StopFlag* stop) const {
           .stop = stop};
 }
 
+int Choice::ThreadCount() const {
+  if (threads > 0) return threads;
+  return std::min(kMaxThreads, tbb::info::default_concurrency());
+}
+
 Choice MakeChoice(const std::string& engine, const std::string& method,
                   const std::string& emission, const std::string& formula,
                   double half_side, int threads) {
-  constexpr int kMaxThreads = 1024;
   std::vector<std::string> defects;
   Choice choice;
   choice.engine =

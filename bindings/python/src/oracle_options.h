@@ -21,6 +21,9 @@ struct Choice {
   int threads = 0;  ///< 0: as many as there are cores
 
   [[nodiscard]] OracleOptions Options(const StopFlag* stop) const;
+
+  /// At least 1.
+  [[nodiscard]] int ThreadCount() const;
 };
 
 /// Throws InputError for a word that is none of those of its kind, naming all.

@@ -13,20 +13,28 @@ until rounding is certain. Arrays have any leading shape.
 
 from ._truelux import Error, version as _version
 from .arrays import Note
+from .comparison import Comparison, compare
 from .derivatives import Derivatives, VertexGradient
 from .oracle import Contour, FormFactors, Oracle, irradiance_from_sphere
+from .render import SHADOW_CLASSES, Camera, Picture, render
 from .scene import Scene
 
 __version__ = _version()
 
 __all__ = [
+    "Camera",
+    "Comparison",
     "Contour",
     "Derivatives",
     "Error",
     "FormFactors",
     "Note",
     "Oracle",
+    "Picture",
+    "SHADOW_CLASSES",
     "Scene",
     "VertexGradient",
+    "compare",
     "irradiance_from_sphere",
+    "render",
 ]

@@ -1,23 +1,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""truelux over arrays: python3 -m truelux eval|gradient SCENE.obj RECEIVERS."""
+"""truelux over arrays: python3 -m truelux eval|compare|gradient SCENE.obj ..."""
 
 from __future__ import annotations
 
 import argparse
 import sys
 import warnings
+from pathlib import Path
 
 import numpy as np
 
 import truelux
 
-from .tables import read_maps, read_receivers, write_arrays
+from .files import whole_file
+from .tables import read_maps, read_receivers, read_values, write_arrays
 
 _GRADIENT = ("gradient", "tangential", "normal", "vector", "jacobian", "sphere",
              "flux", "sphere_jacobian")
 
 _DESCRIPTION = """\
-The numbers of truelux eval and truelux gradient, over arrays.
+The numbers of truelux eval, compare and gradient, over arrays.
 
 RECEIVERS is one of
   .npy   shape (..., 6): points and normals
@@ -30,7 +32,22 @@ and what is written one of
   .npz   arrays by the names of truelux.Oracle's results
   .csv   one row per receiver
   .exr   E of eval, as binary32; A is 1 where there is a receiver
+VALUES of compare is E of another program, one per receiver: .npy (..., 3), .npz
+(an array E), .csv (columns E_r,E_g,E_b) or, over maps, an .exr of their size.
 """
+
+
+def _add_common(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--normals", metavar="NORMALS.exr",
+                         help="beside positions as EXR")
+    command.add_argument("--on-face", metavar="N|NAME|auto|none",
+                         help="as of truelux eval")
+    command.add_argument("--emission", default="exitance",
+                         choices=("exitance", "radiance"))
+    command.add_argument("--two-sided", action="store_true")
+    command.add_argument("--lenient", action="store_true")
+    command.add_argument("--threads", type=int)
+    command.add_argument("--progress", action="store_true")
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -46,21 +63,25 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument("scene", metavar="SCENE.obj")
         command.add_argument("receivers", metavar="RECEIVERS")
         command.add_argument("-o", "--output", required=True, metavar="OUT")
-        command.add_argument("--normals", metavar="NORMALS.exr",
-                             help="beside positions as EXR")
-        command.add_argument("--on-face", metavar="N|NAME|auto|none",
-                             help="as of truelux eval")
         command.add_argument("--method", default="certified",
                              choices=("certified", "double"))
-        command.add_argument("--emission", default="exitance",
-                             choices=("exitance", "radiance"))
-        command.add_argument("--two-sided", action="store_true")
-        command.add_argument("--lenient", action="store_true")
-        command.add_argument("--threads", type=int)
-        command.add_argument("--progress", action="store_true")
+        _add_common(command)
         if name == "gradient":
             command.add_argument("--of", default="gradient", metavar="NAMES",
                                  help=", ".join(_GRADIENT))
+    command = commands.add_parser(
+        "compare", help="another program's irradiances beside the truth",
+        description="Prints the report of truelux compare. Exit status: 0 if "
+        "every receiver passes, 1 if not.")
+    command.add_argument("scene", metavar="SCENE.obj")
+    command.add_argument("receivers", metavar="RECEIVERS")
+    command.add_argument("values", metavar="VALUES")
+    command.add_argument("--tolerance", type=float, default=1e-6, metavar="T",
+                         help="the largest relative error that passes "
+                         "(%(default)s)")
+    command.add_argument("--json", metavar="OUT.json",
+                         help="the report as JSON, too")
+    _add_common(command)
     return parser
 
 
@@ -92,12 +113,8 @@ def _evaluate(oracle, arguments, points, normals, on_face) -> dict:
             **{name: getattr(d, name) for name in names}}
 
 
-def _run(arguments) -> None:
-    scene = truelux.Scene.read(arguments.scene, lenient=arguments.lenient,
-                               two_sided=arguments.two_sided)
-    oracle = truelux.Oracle(scene, method=arguments.method,
-                            emission=arguments.emission,
-                            threads=arguments.threads)
+def _receivers(arguments):
+    """Points, normals, faces, and which texels of maps these are, or None."""
     covered = None
     if arguments.receivers.lower().endswith(".exr"):
         if arguments.normals is None:
@@ -107,24 +124,49 @@ def _run(arguments) -> None:
         column = "auto"
     else:
         points, normals, column = read_receivers(arguments.receivers)
-    on_face = _on_face(arguments.on_face, column)
+    return points, normals, _on_face(arguments.on_face, column), covered
+
+
+def _compare(scene, arguments) -> int:
+    points, normals, on_face, covered = _receivers(arguments)
+    report = truelux.compare(
+        scene, points, normals, read_values(arguments.values, covered),
+        tolerance=arguments.tolerance, emission=arguments.emission,
+        on_face=on_face, threads=arguments.threads, progress=arguments.progress,
+        name=Path(arguments.values).name)
+    print(report, end="")
+    if arguments.json is not None:
+        with whole_file(arguments.json) as file:
+            file.write(report.to_json().encode())
+    return 0 if report.passes else 1
+
+
+def _run(arguments) -> int:
+    scene = truelux.Scene.read(arguments.scene, lenient=arguments.lenient,
+                               two_sided=arguments.two_sided)
+    if arguments.command == "compare":
+        return _compare(scene, arguments)
+    oracle = truelux.Oracle(scene, method=arguments.method,
+                            emission=arguments.emission,
+                            threads=arguments.threads)
+    points, normals, on_face, covered = _receivers(arguments)
     write_arrays(arguments.output,
                  _evaluate(oracle, arguments, points, normals, on_face), covered)
+    return 0
 
 
 def main(words=None) -> int:
-    """Exit status: 0, or 2 for bad input, 130 after Ctrl-C."""
+    """Exit status: as of _run, or 2 for bad input, 130 after Ctrl-C."""
     arguments = _parser().parse_args(words)
     warnings.showwarning = lambda message, *_, **__: print(message,
                                                            file=sys.stderr)
     try:
-        _run(arguments)
+        return _run(arguments)
     except (truelux.Error, OSError) as error:
         print(error, file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         return 130
-    return 0
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 # The module that the Python files beside it are made of. Arrays of receivers are
 # rows: points and normals (n, 3) of binary64, face numbers (n) or (1) of int64.
 
-from typing import Optional, Sequence
+from typing import Callable, Optional, Sequence
 
 import numpy as np
 
@@ -54,6 +54,35 @@ def vertex_gradient(scene: Scene, choice: Choice, points: np.ndarray,
 def irradiance_from_sphere(points: np.ndarray, normals: np.ndarray,
                            center: Sequence[float], radius: float,
                            exitance: Sequence[float]) -> np.ndarray: ...
+def compare(scene: Scene, choice: Choice, points: np.ndarray,
+            normals: np.ndarray, on_face: np.ndarray, values: np.ndarray,
+            channels: Sequence[int], has_form_factors: bool, tolerance: float,
+            name: str, told: Optional[Callable[[int, int, str], None]]
+            ) -> dict: ...
+def compare_gradients(scene: Scene, choice: Choice, points: np.ndarray,
+                      normals: np.ndarray, on_face: np.ndarray,
+                      values: np.ndarray, channels: Sequence[int],
+                      tolerance: float, name: str,
+                      told: Optional[Callable[[int, int, str], None]]
+                      ) -> dict: ...
+
+class Rendering:
+    def arrays(self) -> dict[str, np.ndarray]: ...
+    def notes(self) -> list[str]: ...
+    def picture(self, is_exr: bool, texts: Sequence[tuple[str, str]],
+                white: Optional[float], false_colour: bool, isolux: bool,
+                channel: Optional[str]) -> tuple[bytes, list[str]]: ...
+    def extra(self, which: str, channel: Optional[str]) -> bytes: ...
+
+SHADOW_CLASSES: list[str]
+EXTRA_PICTURES: list[str]
+
+def render(scene: Scene, choice: Choice, surface: Optional[str],
+           camera: tuple[Sequence[float], Sequence[float], Sequence[float],
+                         float], width: int, height: int,
+           on_face: Optional[str], also: Sequence[str], bound: bool,
+           told: Optional[Callable[[int, int, str], None]]) -> Rendering: ...
 def read_exr(path: str) -> dict[str, np.ndarray]: ...
-def write_exr(path: str, channels: dict[str, np.ndarray]) -> None: ...
+def exr_bytes(values: np.ndarray, covered: np.ndarray,
+              texts: Sequence[tuple[str, str]]) -> bytes: ...
 def version() -> str: ...

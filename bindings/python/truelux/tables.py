@@ -4,14 +4,13 @@
 from __future__ import annotations
 
 import csv
-import os
-import tempfile
 from pathlib import Path
 
 import numpy as np
 
-from ._truelux import read_exr, write_exr
+from ._truelux import exr_bytes, read_exr
 from .arrays import error
+from .files import whole_file
 
 _PLACE = ("x", "y", "z", "nx", "ny", "nz")
 
@@ -77,28 +76,77 @@ def _read_npz(path: str):
 
 
 def _read_csv(path: str):
+    columns = _columns(path, _PLACE, ("on_face",))
+    faces = columns.get("on_face")
+    if faces is not None:
+        faces = np.nan_to_num(faces).astype(np.int64)
+    places = np.stack([columns[name] for name in _PLACE], axis=-1)
+    return places[:, :3], places[:, 3:], faces
+
+
+def _columns(path: str, needed, wanted=()) -> dict:
+    """Columns of a table by name; an empty cell is nan in one that is wanted."""
     with open(path, newline="", encoding="utf-8-sig") as file:
         rows = csv.reader(file)
         header = [name.strip() for name in next(rows, [])]
-        missing = [name for name in _PLACE if name not in header]
+        missing = [name for name in needed if name not in header]
         if missing:
             raise error(f"{path}:1: the header lacks {', '.join(missing)}")
-        at = [header.index(name) for name in _PLACE]
-        face = header.index("on_face") if "on_face" in header else None
-        places, faces, defects = [], [], []
+        at = {name: header.index(name) for name in (*needed, *wanted)
+              if name in header}
+        columns: dict = {name: [] for name in at}
+        defects = []
         for row in rows:
             if not row:
                 continue
             try:
-                places.append([float(row[k]) for k in at])
-                if face is not None:
-                    faces.append(int(row[face] or 0))
+                cells = [float(row[k] or "nan" if name in wanted else row[k])
+                         for name, k in at.items()]
             except (ValueError, IndexError) as defect:
                 defects.append(f"{path}:{rows.line_num}: {defect}")
+                continue
+            for name, cell in zip(at, cells):
+                columns[name].append(cell)
     if defects:
         raise error(*defects[:100])
-    array = np.array(places, dtype=np.float64).reshape(-1, 6)
-    return array[:, :3], array[:, 3:], np.array(faces) if faces else None
+    return {name: np.array(column, dtype=np.float64)
+            for name, column in columns.items()}
+
+
+def read_values(path: str, covered=None) -> np.ndarray:
+    """Irradiances (..., 3) of another program: arrays, tables, images.
+
+    covered: which texels of a map are receivers; the others are left out.
+    """
+    suffix = Path(path).suffix.lower()
+    try:
+        if suffix == ".npy":
+            values = np.load(path, allow_pickle=False)
+        elif suffix == ".npz":
+            with np.load(path, allow_pickle=False) as arrays:
+                if "E" not in arrays:
+                    raise error(f"{path}: no array E; found "
+                                f"{', '.join(arrays.files) or 'none'}")
+                values = arrays["E"]
+        elif suffix == ".csv":
+            names = ("E_r", "E_g", "E_b")
+            columns = _columns(path, names)
+            values = np.stack([columns[name] for name in names], axis=-1)
+        elif suffix == ".exr":
+            values = _read_map(path)
+        else:
+            raise error(f"{path}: expected a name that ends with .npy, .npz, "
+                        ".csv or .exr")
+    except (ValueError, EOFError) as defect:
+        if hasattr(defect, "defects"):
+            raise
+        raise error(f"{path}: {defect}") from None
+    if covered is None:
+        return values
+    if values.shape != covered.shape + (3,):
+        raise error(f"{path}: expected {covered.shape[1]} x {covered.shape[0]} "
+                    f"texels of three numbers, found the shape {values.shape}")
+    return values[covered]
 
 
 def write_arrays(path: str, arrays: dict, covered=None) -> None:
@@ -117,26 +165,18 @@ def write_arrays(path: str, arrays: dict, covered=None) -> None:
     if suffix == ".exr" and covered is None and arrays["E"].ndim != 3:
         raise error(f"{path}: an image needs receivers of the shape (height, "
                     f"width); they have {arrays['E'].shape[:-1]}")
-    folder = os.path.dirname(os.path.abspath(path))
-    handle, temporary = tempfile.mkstemp(dir=folder, suffix=suffix)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            if suffix == ".csv":
-                _write_csv(file, arrays)
-            elif suffix != ".exr":
-                whole = {name: _spread(array, covered)
-                         for name, array in arrays.items()}
-                if suffix == ".npy":
-                    np.save(file, next(iter(whole.values())))
-                else:
-                    np.savez(file, **whole)
-        if suffix == ".exr":
-            _write_map(temporary, arrays["E"], covered)
-        os.chmod(temporary, 0o666 & ~_umask())
-        os.replace(temporary, path)
-    except BaseException:
-        os.unlink(temporary)
-        raise
+    with whole_file(path) as file:
+        if suffix == ".csv":
+            _write_csv(file, arrays)
+        elif suffix == ".exr":
+            file.write(_map_bytes(arrays["E"], covered))
+        else:
+            whole = {name: _spread(array, covered)
+                     for name, array in arrays.items()}
+            if suffix == ".npy":
+                np.save(file, next(iter(whole.values())))
+            else:
+                np.savez(file, **whole)
 
 
 def _spread(array: np.ndarray, covered) -> np.ndarray:
@@ -149,23 +189,13 @@ def _spread(array: np.ndarray, covered) -> np.ndarray:
     return whole
 
 
-def _write_map(path: str, values: np.ndarray, covered) -> None:
+def _map_bytes(values: np.ndarray, covered) -> bytes:
     """R, G, B and A: 1 where there is a receiver."""
     if covered is None:
         covered = np.ones(values.shape[:2], dtype=bool)
     whole = np.zeros(covered.shape + (3,))
     whole[covered] = values.reshape(-1, 3)
-    with np.errstate(over="ignore"):
-        channels = {name: np.ascontiguousarray(whole[..., k], dtype=np.float32)
-                    for k, name in enumerate("RGB")}
-    channels["A"] = covered.astype(np.float32)
-    write_exr(path, channels)
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+    return exr_bytes(whole, covered, [("comments", "irradiance [W/m^2]")])
 
 
 def _write_csv(file, arrays: dict) -> None:

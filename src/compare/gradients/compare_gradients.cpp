@@ -10,13 +10,13 @@
 
 #include "truelux/irradiance.h"
 
+#include "base/stop.h"
 #include "compare/candidate_report.h"
 #include "compare/diagnosis.h"
 #include "compare/explanation.h"
 #include "compare/gradients/finite_differences.h"
 #include "compare/gradients/gradient_mistakes.h"
 #include "compare/receivers_without.h"
-#include "run/interrupt.h"
 #include "run/parallel.h"
 #include "run/progress.h"
 
@@ -30,39 +30,43 @@ constexpr DerivativeOptions kGradientOnly = {.sphere = false,
 
 std::vector<Derivatives> DerivativesOf(const Oracle& oracle,
                                        std::span<const Receiver> receivers,
-                                       int threads) {
+                                       const CompareSettings& settings) {
   std::vector<Derivatives> all(receivers.size());
-  Progress progress(receivers.size());
-  ForEachInParallel(receivers.size(), threads, progress, [&](std::size_t i) {
-    all[i] = oracle.Derivatives(receivers[i], kGradientOnly);
-  });
+  Progress progress(receivers.size(), kReceivers, settings.watch);
+  ForEachInParallel(receivers.size(), settings.threads, progress,
+                    [&](std::size_t i) {
+                      all[i] = oracle.Derivatives(receivers[i], kGradientOnly);
+                    });
   return all;
 }
 
 /// The truth for every receiver, one block after the other: derivatives are
 /// large.
-void FindTruth(const Oracle& oracle, int threads, GradientData& data) {
+void FindTruth(const Oracle& oracle, const CompareSettings& settings,
+               GradientData& data) {
   data.truth.resize(data.receivers.size());
-  Progress progress(data.receivers.size());
+  Progress progress(data.receivers.size(), kReceivers, settings.watch);
   ForEachInParallel(
-      data.receivers.size(), threads, progress, [&](std::size_t i) {
+      data.receivers.size(), settings.threads, progress, [&](std::size_t i) {
         data.truth[i] =
             TruthFor(data, oracle.Derivatives(data.receivers[i], kGradientOnly),
                      data.values[i]);
       });
 }
 
-void FindWorst(const Oracle& oracle, int threads, GradientReport& report) {
+void FindWorst(const Oracle& oracle, const CompareSettings& settings,
+               GradientReport& report) {
   const DetailFinder finder(report.scene);
   for (const std::size_t i : WorstOf(report.errors, kMostWorstCandidates))
     report.worst.push_back({i, {}, {}});
-  Progress progress(report.worst.size());
-  ForEachInParallel(report.worst.size(), threads, progress, [&](std::size_t k) {
-    WorstGradient& worst = report.worst[k];
-    const Receiver& receiver = report.data.receivers[worst.receiver];
-    worst.detail = finder.Find(receiver, true);
-    worst.kinks = oracle.Derivatives(receiver, kGradientOnly).kinks;
-  });
+  Progress progress(report.worst.size(), kReceivers, settings.watch);
+  ForEachInParallel(
+      report.worst.size(), settings.threads, progress, [&](std::size_t k) {
+        WorstGradient& worst = report.worst[k];
+        const Receiver& receiver = report.data.receivers[worst.receiver];
+        worst.detail = finder.Find(receiver, true);
+        worst.kinks = oracle.Derivatives(receiver, kGradientOnly).kinks;
+      });
 }
 
 /// As many failing as passing receivers, if there are, spread evenly.
@@ -88,7 +92,7 @@ std::optional<GradientHypothesis> OnFaces(const GradientTrial& trial) {
 void TryIt(GradientHypothesis hypothesis, const GradientData& data,
            double tolerance, std::vector<GradientExplanation>& explanations) {
   const MistakeFit fit = FitOf(data, hypothesis, tolerance);
-  if (fit.Explains(hypothesis.factor.has_value()))
+  if (Explains(fit, hypothesis.factor.has_value()))
     explanations.push_back({std::move(hypothesis), fit});
 }
 
@@ -139,34 +143,33 @@ Diagnosis DiagnoseGradients(const Oracle& oracle, const GradientData& data,
   return diagnosis;
 }
 
-GradientReport CompareGradients(const Scene& scene, GradientData data,
-                                const CompareOptions& options) {
+GradientReport CompareGradientData(const Scene& scene, GradientData data,
+                                   const CompareSettings& settings) {
   GradientReport report;
   report.scene = scene;
-  report.emission = options.truth.emission;
-  report.tolerance = options.tolerance;
+  report.emission = settings.truth.emission;
+  report.tolerance = settings.tolerance;
   report.data = std::move(data);
   const OracleOptions oracle_options = {.emission = report.emission,
-                                        .stop = InterruptFlag()};
+                                        .stop = settings.watch.stop};
   const Oracle oracle(scene, oracle_options);
-  FindTruth(oracle, options.threads, report.data);
-  report.errors = ErrorsOf(report.data, options.tolerance);
+  FindTruth(oracle, settings, report.data);
+  report.errors = ErrorsOf(report.data, settings.tolerance);
   report.summary = Summarize(report.errors);
-  if (!WorstOf(report.errors, 1).empty())
-    FindWorst(oracle, options.threads, report);
+  if (!WorstOf(report.errors, 1).empty()) FindWorst(oracle, settings, report);
   const GradientEvaluators evaluate = {
       [&](const Scene& variant, std::span<const Receiver> receivers) {
-        StopIfInterrupted();
+        StopIfAsked(settings.watch.stop);
         return IrradiancesOf(Oracle(variant, oracle_options), receivers,
-                             options.threads);
+                             settings);
       },
       [&](const Scene& variant, std::span<const Receiver> receivers) {
-        StopIfInterrupted();
+        StopIfAsked(settings.watch.stop);
         return DerivativesOf(Oracle(variant, oracle_options), receivers,
-                             options.threads);
+                             settings);
       }};
   report.diagnosis = DiagnoseGradients(oracle, report.data, report.errors,
-                                       options.tolerance, evaluate);
+                                       settings.tolerance, evaluate);
   return report;
 }
 

@@ -15,10 +15,9 @@ namespace truelux {
 
 /// Finds the truth, the errors, the worst receivers and, if a receiver fails,
 /// the reason. data: without the truth. The names in the report are left empty.
-/// Throws Interruption.
-[[nodiscard]] GradientReport CompareGradients(const Scene& scene,
-                                              GradientData data,
-                                              const CompareOptions& options);
+/// Throws Stopped.
+[[nodiscard]] GradientReport CompareGradientData(
+    const Scene& scene, GradientData data, const CompareSettings& settings);
 
 /// The reason why receivers fail. errors: ErrorsOf(data, tolerance). What
 /// `evaluate` throws ends it.

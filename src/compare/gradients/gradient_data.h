@@ -15,15 +15,6 @@
 
 namespace truelux {
 
-/// What is known of one receiver's gradient.
-struct GradientTruth {
-  Smoothness smoothness = Smoothness::kC1;
-  /// The certified gradient of the compared channels; at a kink that one of the
-  /// generalized gradients (nearest_gradient.h) that is nearest to the
-  /// candidate's. Without meaning if E is discontinuous.
-  GradientRow gradient{};
-};
-
 /// Values and truth of a receiver hold the compared channels first; the other
 /// entries are 0 in both.
 struct GradientData : CandidateReceivers {

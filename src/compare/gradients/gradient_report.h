@@ -9,12 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "truelux/comparison.h"
 #include "truelux/derivatives.h"
 #include "truelux/scene.h"
 
 #include "compare/gradients/gradient_data.h"
 #include "compare/gradients/gradient_errors.h"
-#include "compare/verdict.h"
 #include "explain/receiver_detail.h"
 
 namespace truelux {

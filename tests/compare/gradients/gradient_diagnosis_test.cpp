@@ -68,10 +68,10 @@ GradientReport Report(const Scene& scene,
   data.lines.resize(receivers.size());
   for (const Receiver& receiver : receivers)
     data.values.push_back({gradient(receiver)});
-  CompareOptions options;
+  CompareSettings options;
   options.tolerance = tolerance;
   options.truth.emission = emission;
-  return CompareGradients(scene, std::move(data), options);
+  return CompareGradientData(scene, std::move(data), options);
 }
 
 Vector3 TruthAt(const Oracle& oracle, const Receiver& receiver) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One value for each pixel of a picture.
 
-#ifndef TRUELUX_IMAGE_RASTER_H_
-#define TRUELUX_IMAGE_RASTER_H_
+#ifndef TRUELUX_RASTER_H_
+#define TRUELUX_RASTER_H_
 
 #include <cstddef>
 #include <vector>
@@ -56,4 +56,4 @@ class Raster {
 
 }  // namespace truelux
 
-#endif  // TRUELUX_IMAGE_RASTER_H_
+#endif  // TRUELUX_RASTER_H_

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "truelux/compare.h"
+
+#include "bindings.h"
+#include "errors.h"
+#include "interruptible.h"
+#include "oracle_options.h"
+#include "progress.h"
+#include "receivers.h"
+
+namespace py = pybind11;
+
+namespace truelux::python {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<Receiver> AllOf(const Receivers& receivers) {
+  std::vector<Receiver> all;
+  receivers.Fill(0, receivers.size(), all);
+  return all;
+}
+
+/// What reports of both kinds bring along. errors: by receiver.
+template <class Result>
+py::dict CommonPart(const Result& result) {
+  const auto count = static_cast<py::ssize_t>(result.errors.size());
+  py::array_t<double> excess(count);
+  py::array_t<bool> passes(count);
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const auto& error = result.errors[static_cast<std::size_t>(i)];
+    excess.mutable_at(i) = error.excess;
+    passes.mutable_at(i) = error.passes;
+  }
+  std::vector<std::pair<std::size_t, std::string>> worst;
+  for (const ReceiverReason& w : result.worst)
+    worst.emplace_back(w.receiver, w.reason);
+  py::dict report;
+  report["passes"] = result.passes();
+  report["error"] = std::move(excess);
+  report["within"] = std::move(passes);
+  report["worst"] = std::move(worst);
+  report["verdict"] = std::string(Name(result.diagnosis.verdict));
+  report["mistake"] = result.diagnosis.mistake;
+  report["diagnosis"] = result.diagnosis.text;
+  report["factor"] = result.diagnosis.factor;
+  report["text"] = result.text;
+  report["json"] = result.json;
+  return report;
+}
+
+CompareOptions OptionsOf(const Choice& choice, double tolerance,
+                         const std::string& name, const py::object& told) {
+  CompareOptions options;
+  options.candidate_name = name;
+  options.tolerance = tolerance;
+  options.emission = choice.emission;
+  options.threads = choice.ThreadCount();
+  options.progress = HookOf(told);
+  return options;
+}
+
+/// f(), with what the library finds wrong in arguments as Python's exception.
+template <class F>
+auto Checked(const F& f) {
+  try {
+    return f();
+  } catch (const std::invalid_argument& defect) {
+    throw InputError({defect.what()});
+  }
+}
+
+/// values: (n, 3); of form factors the first column counts.
+py::dict CompareValues(const SharedScene& scene, const Choice& choice,
+                       const Rows& points, const Rows& normals,
+                       const Numbers& on_face, const Rows& values,
+                       const ChannelNumbers& channels, bool has_form_factors,
+                       double tolerance, const std::string& name,
+                       const py::object& told) {
+  Candidate candidate;
+  candidate.receivers = AllOf({points, normals, on_face, scene.scene});
+  candidate.channels = channels;
+  candidate.has_form_factors = has_form_factors;
+  const auto rows = values.unchecked<2>();
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i)
+    candidate.values.push_back({rows(i, 0), rows(i, 1), rows(i, 2)});
+  CompareOptions options = OptionsOf(choice, tolerance, name, told);
+  const CandidateComparison result = Checked([&] {
+    const Interruptible interruptible;
+    options.stop = interruptible.flag();
+    return Compare(scene.scene, candidate, options);
+  });
+  py::dict report = CommonPart(result);
+  py::array_t<double> truth({rows.shape(0), py::ssize_t{3}});
+  std::copy_n(result.truth.front().data(), 3 * result.truth.size(),
+              truth.mutable_data());
+  report["truth"] = std::move(truth);
+  return report;
+}
+
+/// values: (n, 3, 3), by channel and axis. The truth is nan where E is
+/// discontinuous.
+py::dict CompareSlopes(const SharedScene& scene, const Choice& choice,
+                       const Rows& points, const Rows& normals,
+                       const Numbers& on_face,
+                       const py::array_t<double>& values,
+                       const ChannelNumbers& channels, double tolerance,
+                       const std::string& name, const py::object& told) {
+  GradientCandidate candidate;
+  candidate.receivers = AllOf({points, normals, on_face, scene.scene});
+  candidate.channels = channels;
+  const auto rows = values.unchecked<3>();
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+    GradientRow row;
+    for (py::ssize_t c = 0; c < 3; ++c)
+      row[static_cast<std::size_t>(c)] = {rows(i, c, 0), rows(i, c, 1),
+                                          rows(i, c, 2)};
+    candidate.values.push_back(row);
+  }
+  CompareOptions options = OptionsOf(choice, tolerance, name, told);
+  const GradientComparison result = Checked([&] {
+    const Interruptible interruptible;
+    options.stop = interruptible.flag();
+    return CompareGradients(scene.scene, candidate, options);
+  });
+  py::dict report = CommonPart(result);
+  py::array_t<double> truth({rows.shape(0), py::ssize_t{3}, py::ssize_t{3}});
+  auto out = truth.mutable_unchecked<3>();
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+    const GradientTruth& at = result.truth[static_cast<std::size_t>(i)];
+    const bool has_gradient = at.smoothness != Smoothness::kDiscontinuous;
+    for (py::ssize_t c = 0; c < 3; ++c) {
+      const Vector3& g = at.gradient[static_cast<std::size_t>(c)];
+      out(i, c, 0) = has_gradient ? g.x : kNan;
+      out(i, c, 1) = has_gradient ? g.y : kNan;
+      out(i, c, 2) = has_gradient ? g.z : kNan;
+    }
+  }
+  report["truth"] = std::move(truth);
+  return report;
+}
+
+}  // namespace
+
+void BindComparison(py::module_& module) {
+  module.def("compare", CompareValues);
+  module.def("compare_gradients", CompareSlopes);
+}
+
+}  // namespace truelux::python

@@ -42,7 +42,7 @@ lane_dev() {
 }
 
 lane_asan() {
-  need_packages run test
+  need_packages run test python
   prepare asan all
   run_tests
 }

@@ -13,9 +13,10 @@ namespace {
 /// Which stage of exact arithmetic answered how often.
 void Print(const char* predicate, const truelux::StageCounts& counts) {
   std::printf("%-14s symbolic %" PRIu64 ", filter %" PRIu64
-              ", interval %" PRIu64 ", exact %" PRIu64 "\n",
+              ", interval %" PRIu64 ", double-double %" PRIu64
+              ", exact %" PRIu64 "\n",
               predicate, counts.symbolic, counts.filter, counts.interval,
-              counts.exact);
+              counts.double_double, counts.exact);
 }
 
 }  // namespace

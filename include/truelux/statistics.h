@@ -17,7 +17,8 @@ struct TRUELUX_EXPORT StageCounts {
   std::uint64_t symbolic = 0;  ///< zero by construction, without arithmetic
   std::uint64_t filter = 0;    ///< double with an error bound
   std::uint64_t interval = 0;  ///< interval arithmetic
-  std::uint64_t exact = 0;     ///< exact arithmetic
+  std::uint64_t double_double = 0;  ///< double-double with an error bound
+  std::uint64_t exact = 0;          ///< exact arithmetic
 
   /// Adds the counts of another.
   StageCounts& operator+=(const StageCounts& other);

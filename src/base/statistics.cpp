@@ -9,6 +9,7 @@ StageCounts& StageCounts::operator+=(const StageCounts& other) {
   symbolic += other.symbolic;
   filter += other.filter;
   interval += other.interval;
+  double_double += other.double_double;
   exact += other.exact;
   return *this;
 }

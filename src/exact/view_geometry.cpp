@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "exact/approximation.h"
-#include "exact/recipe_evaluator.h"
 
 namespace truelux {
 namespace {
@@ -16,6 +15,22 @@ template <class Recipe>
 bool HaveSameEnds(const PlaneRecipe& p, const Recipe& q) {
   return (p.from() == q.from() && p.to() == q.to()) ||
          (p.from() == q.to() && p.to() == q.from());
+}
+
+/// The sign by the first stage that knows it.
+template <class ByInterval, class ByDoubled, class ByExact>
+Sign BySlowStages(StageCounts& counts, const ByInterval& interval,
+                  const ByDoubled& doubled, const ByExact& exact) {
+  if (const std::optional<Sign> sign = interval()) {
+    ++counts.interval;
+    return *sign;
+  }
+  if (const std::optional<Sign> sign = doubled()) {
+    ++counts.double_double;
+    return *sign;
+  }
+  ++counts.exact;
+  return exact();
 }
 
 }  // namespace
@@ -105,7 +120,8 @@ template <PredicateKind kKind>
 auto BasicViewGeometry<kKind>::SlowPlane(ViewPlaneId id) -> SlowVector& {
   SlowId& slow = planes_[id].slow;
   if (!slow.valid()) {
-    slow = slow_.push_back({interval_.Plane(planes_[id].recipe, {}), nullptr});
+    slow =
+        slow_.push_back({interval_.Plane(planes_[id].recipe, {}), {}, nullptr});
   }
   return slow_[slow];
 }
@@ -116,9 +132,24 @@ auto BasicViewGeometry<kKind>::SlowDirection(ViewDirectionId id)
   SlowId& slow = directions_[id].slow;
   if (!slow.valid()) {
     slow = slow_.push_back(
-        {interval_.Direction(directions_[id].recipe, {}, {}), nullptr});
+        {interval_.Direction(directions_[id].recipe, {}, {}), {}, nullptr});
   }
   return slow_[slow];
+}
+
+template <PredicateKind kKind>
+const DoubledVector& BasicViewGeometry<kKind>::PlaneDoubled(ViewPlaneId id) {
+  std::optional<DoubledVector>& doubled = SlowPlane(id).doubled;
+  if (!doubled) doubled = DoubledPlane(view_, planes_[id].recipe);
+  return *doubled;
+}
+
+template <PredicateKind kKind>
+const DoubledVector& BasicViewGeometry<kKind>::DirectionDoubled(
+    ViewDirectionId id) {
+  std::optional<DoubledVector>& doubled = SlowDirection(id).doubled;
+  if (!doubled) doubled = DoubledDirection(view_, directions_[id].recipe);
+  return *doubled;
 }
 
 template <PredicateKind kKind>
@@ -149,6 +180,12 @@ std::optional<Sign> BasicViewGeometry<kKind>::ReceiverSideInterval(
 }
 
 template <PredicateKind kKind>
+std::optional<Sign> BasicViewGeometry<kKind>::ReceiverSideDoubled(
+    TriangleId triangle) const {
+  return DoubledHeight(view_, triangle);
+}
+
+template <PredicateKind kKind>
 Sign BasicViewGeometry<kKind>::ReceiverSideExact(TriangleId triangle) const {
   return SignOf(exact_.Height(triangle));
 }
@@ -164,18 +201,22 @@ Sign BasicViewGeometry<kKind>::ReceiverSide(TriangleId triangle) {
     return *sign;
   }
   if constexpr (kKind == PredicateKind::kUnfiltered) return Sign::kZero;
-  if (const auto sign = ReceiverSideInterval(triangle)) {
-    ++counts.interval;
-    return *sign;
-  }
-  ++counts.exact;
-  return ReceiverSideExact(triangle);
+  return BySlowStages(
+      counts, [&] { return ReceiverSideInterval(triangle); },
+      [&] { return ReceiverSideDoubled(triangle); },
+      [&] { return ReceiverSideExact(triangle); });
 }
 
 template <PredicateKind kKind>
 std::optional<Sign> BasicViewGeometry<kKind>::VertexSideInterval(
     TriangleId triangle, VertexId vertex) const {
   return SignFrom(interval_.AboveTriangle(triangle, vertex));
+}
+
+template <PredicateKind kKind>
+std::optional<Sign> BasicViewGeometry<kKind>::VertexSideDoubled(
+    TriangleId triangle, VertexId vertex) const {
+  return DoubledAbove(view_, triangle, vertex);
 }
 
 template <PredicateKind kKind>
@@ -201,12 +242,10 @@ Sign BasicViewGeometry<kKind>::VertexSide(TriangleId triangle,
     return *sign;
   }
   if constexpr (kKind == PredicateKind::kUnfiltered) return Sign::kZero;
-  if (const auto sign = VertexSideInterval(triangle, vertex)) {
-    ++counts.interval;
-    return *sign;
-  }
-  ++counts.exact;
-  return VertexSideExact(triangle, vertex);
+  return BySlowStages(
+      counts, [&] { return VertexSideInterval(triangle, vertex); },
+      [&] { return VertexSideDoubled(triangle, vertex); },
+      [&] { return VertexSideExact(triangle, vertex); });
 }
 
 template <PredicateKind kKind>
@@ -215,6 +254,14 @@ std::optional<Sign> BasicViewGeometry<kKind>::PlaneSideInterval(
   // By value: the second may move the first.
   const Vec3<Interval> normal = SlowPlane(plane).interval;
   return SignFrom(Dot(normal, SlowDirection(direction).interval));
+}
+
+template <PredicateKind kKind>
+std::optional<Sign> BasicViewGeometry<kKind>::PlaneSideDoubled(
+    ViewPlaneId plane, ViewDirectionId direction) {
+  // By value: the second may move the first.
+  const DoubledVector normal = PlaneDoubled(plane);
+  return DoubledDot(normal, DirectionDoubled(direction));
 }
 
 template <PredicateKind kKind>
@@ -260,12 +307,10 @@ Sign BasicViewGeometry<kKind>::PlaneSideSlowly(ViewPlaneId plane,
     ++counts.symbolic;
     return Sign::kZero;
   }
-  if (const auto sign = PlaneSideInterval(plane, direction)) {
-    ++counts.interval;
-    return *sign;
-  }
-  ++counts.exact;
-  return PlaneSideExact(plane, direction);
+  return BySlowStages(
+      counts, [&] { return PlaneSideInterval(plane, direction); },
+      [&] { return PlaneSideDoubled(plane, direction); },
+      [&] { return PlaneSideExact(plane, direction); });
 }
 
 template <PredicateKind kKind>
@@ -312,6 +357,17 @@ std::optional<Sign> BasicViewGeometry<kKind>::EdgeOrderInterval(
 }
 
 template <PredicateKind kKind>
+std::optional<Sign> BasicViewGeometry<kKind>::EdgeOrderDoubled(
+    ViewPlaneId edge_plane, const Crossing& a, const Crossing& b) {
+  // By value: making one may move the others.
+  const DoubledVector n = PlaneDoubled(edge_plane);
+  const DoubledVector na = PlaneDoubled(a.plane);
+  const auto sign = DoubledDeterminant(n, na, PlaneDoubled(b.plane));
+  if (!sign) return std::nullopt;
+  return -(a.from * b.from * *sign);
+}
+
+template <PredicateKind kKind>
 Sign BasicViewGeometry<kKind>::EdgeOrderExact(ViewPlaneId edge_plane,
                                               const Crossing& a,
                                               const Crossing& b) {
@@ -331,12 +387,10 @@ Sign BasicViewGeometry<kKind>::EdgeOrderSlowly(ViewPlaneId edge_plane,
     ++counts.symbolic;
     return Sign::kZero;
   }
-  if (const auto sign = EdgeOrderInterval(edge_plane, a, b)) {
-    ++counts.interval;
-    return *sign;
-  }
-  ++counts.exact;
-  return EdgeOrderExact(edge_plane, a, b);
+  return BySlowStages(
+      counts, [&] { return EdgeOrderInterval(edge_plane, a, b); },
+      [&] { return EdgeOrderDoubled(edge_plane, a, b); },
+      [&] { return EdgeOrderExact(edge_plane, a, b); });
 }
 
 template class BasicViewGeometry<PredicateKind::kExact>;

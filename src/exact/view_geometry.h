@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Planes and directions seen from one receiver, and the signs between them.
 //
-// Every sign is decided in stages: a double filter, intervals, exact numbers.
+// Every sign is decided in stages: a double filter, intervals,
+// double-double, exact numbers.
 // Each stage is a function of its own that says "not known" by an empty
 // optional; the public predicate is the cascade, and counts who answered.
 // The whole class works under RoundUpward.
@@ -22,6 +23,7 @@
 #include "base/ids.h"
 #include "base/stamped_table.h"
 #include "exact/crossing.h"
+#include "exact/doubled.h"
 #include "exact/filter.h"
 #include "exact/plane_bundle.h"
 #include "exact/predicate_kind.h"
@@ -177,9 +179,13 @@ class BasicViewGeometry {
   [[nodiscard]] bool SameEdge(ViewPlaneId plane, ViewPlaneId other) const;
   [[nodiscard]] std::optional<Sign> ReceiverSideInterval(
       TriangleId triangle) const;
+  [[nodiscard]] std::optional<Sign> ReceiverSideDoubled(
+      TriangleId triangle) const;
   [[nodiscard]] Sign ReceiverSideExact(TriangleId triangle) const;
   [[nodiscard]] std::optional<Sign> VertexSideInterval(TriangleId triangle,
                                                        VertexId vertex) const;
+  [[nodiscard]] std::optional<Sign> VertexSideDoubled(TriangleId triangle,
+                                                      VertexId vertex) const;
   [[nodiscard]] Sign VertexSideExact(TriangleId triangle,
                                      VertexId vertex) const;
 
@@ -190,9 +196,13 @@ class BasicViewGeometry {
 
   std::optional<Sign> PlaneSideInterval(ViewPlaneId plane,
                                         ViewDirectionId direction);
+  std::optional<Sign> PlaneSideDoubled(ViewPlaneId plane,
+                                       ViewDirectionId direction);
   Sign PlaneSideExact(ViewPlaneId plane, ViewDirectionId direction);
   std::optional<Sign> EdgeOrderInterval(ViewPlaneId edge_plane,
                                         const Crossing& a, const Crossing& b);
+  std::optional<Sign> EdgeOrderDoubled(ViewPlaneId edge_plane,
+                                       const Crossing& a, const Crossing& b);
   Sign EdgeOrderExact(ViewPlaneId edge_plane, const Crossing& a,
                       const Crossing& b);
 
@@ -202,6 +212,7 @@ class BasicViewGeometry {
   /// A vector at the slow stages, made when one is first needed.
   struct SlowVector {
     Vec3<Interval> interval;
+    std::optional<DoubledVector> doubled;
     std::unique_ptr<Vec3<Exact>> exact;
   };
 
@@ -246,6 +257,8 @@ class BasicViewGeometry {
                        const Crossing& b);
   SlowVector& SlowPlane(ViewPlaneId id);
   SlowVector& SlowDirection(ViewDirectionId id);
+  const DoubledVector& PlaneDoubled(ViewPlaneId id);
+  const DoubledVector& DirectionDoubled(ViewDirectionId id);
   const Vec3<Exact>& PlaneExact(ViewPlaneId id);
   const Vec3<Exact>& DirectionExact(ViewDirectionId id);
 

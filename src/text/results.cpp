@@ -16,6 +16,7 @@ Json JsonOf(const StageCounts& counts) {
   return {{"symbolic", counts.symbolic},
           {"filter", counts.filter},
           {"interval", counts.interval},
+          {"double_double", counts.double_double},
           {"exact", counts.exact}};
 }
 

@@ -15,11 +15,12 @@ namespace {
 
 using Fixture = testing::ViewFixture;
 
-enum class Stage { kFilter, kInterval, kExact };
+enum class Stage { kFilter, kInterval, kDoubled, kExact };
 
 void ExpectStage(const StageCounts& counts, Stage stage) {
   EXPECT_EQ(counts.filter, stage == Stage::kFilter ? 1U : 0U);
   EXPECT_EQ(counts.interval, stage == Stage::kInterval ? 1U : 0U);
+  EXPECT_EQ(counts.double_double, stage == Stage::kDoubled ? 1U : 0U);
   EXPECT_EQ(counts.exact, stage == Stage::kExact ? 1U : 0U);
 }
 
@@ -88,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
               {kA + kC, kB + kB, kC + kC},
               {kA + kB + kC, kB + kC + kB, (kC + kA + kC) * (1 + kUlp)}}},
             Sign::kNegative,
-            Stage::kExact},
+            Stage::kDoubled},
         ReceiverCase{"products underflow",
                      {0, 0, 0},
                      {{{0, 0, 0x1p-600},
@@ -174,7 +175,7 @@ INSTANTIATE_TEST_SUITE_P(
                                   {kX * (1 + kUlp), kX * 3, 1}}},
                                 {{{kX * 5, -kX * 3, 2}, {-kX, kX * 3, 2}}},
                                 Sign::kPositive,
-                                Stage::kExact}));
+                                Stage::kDoubled}));
 
 }  // namespace
 }  // namespace truelux

@@ -55,10 +55,10 @@ TEST(Results, ReportIsJsonWithEveryCount) {
   report.left_out = {{"a reason", {2, 5}}};
   report.options.method = Method::kDouble;
   Statistics& s = report.statistics;
-  s.receiver_side = {1, 2, 3, 4};
-  s.vertex_side = {5, 6, 7, 8};
-  s.plane_side = {9, 10, 11, 12};
-  s.edge_order = {0, 0, 0, 1};
+  s.receiver_side = {1, 2, 3, 20, 4};
+  s.vertex_side = {5, 6, 7, 21, 8};
+  s.plane_side = {9, 10, 11, 22, 12};
+  s.edge_order = {0, 0, 0, 0, 1};
   s.sources = 13;
   s.blockers = 14;
   s.arcs = 15;
@@ -81,10 +81,10 @@ TEST(Results, ReportIsJsonWithEveryCount) {
   "receivers": 7,
   "left_out": [{"reason":"a reason","faces":[2,5]}],
   "predicates": {
-    "receiver_side": {"symbolic": 1, "filter": 2, "interval": 3, "exact": 4},
-    "vertex_side": {"symbolic": 5, "filter": 6, "interval": 7, "exact": 8},
-    "plane_side": {"symbolic": 9, "filter": 10, "interval": 11, "exact": 12},
-    "edge_order": {"symbolic": 0, "filter": 0, "interval": 0, "exact": 1}
+    "receiver_side": {"symbolic": 1, "filter": 2, "interval": 3, "double_double": 20, "exact": 4},
+    "vertex_side": {"symbolic": 5, "filter": 6, "interval": 7, "double_double": 21, "exact": 8},
+    "plane_side": {"symbolic": 9, "filter": 10, "interval": 11, "double_double": 22, "exact": 12},
+    "edge_order": {"symbolic": 0, "filter": 0, "interval": 0, "double_double": 0, "exact": 1}
   },
   "visibility": {
     "sources": 13,

@@ -9,6 +9,7 @@
 
 #include "truelux/version.h"
 
+#include "base/visible_text.h"
 #include "compare/candidate_errors.h"
 #include "compare/candidate_report.h"
 #include "compare/candidates.h"
@@ -64,8 +65,8 @@ CandidateReceivers ReceiversOf(const std::vector<Receiver>& receivers,
 /// bring along.
 template <class Report, class Result>
 void FillIn(Report& report, const CompareOptions& options, Result& result) {
-  report.scene_name = options.scene_name;
-  report.candidate_name = options.candidate_name;
+  report.scene_name = Visible(options.scene_name);
+  report.candidate_name = Visible(options.candidate_name);
   for (const auto& worst : report.worst)
     result.worst.push_back({worst.receiver, SummaryOf(worst.detail)});
 }

@@ -43,10 +43,11 @@ inline double NearestTo(const mpq_class& q) {
   return odd.ToDouble();
 }
 
-/// q within 2^-106 of itself, as long as nothing overflows or underflows; exact
-/// if its digits fit.
+/// q within 2^-106 of itself, as long as nothing underflows; exact if its digits
+/// fit. What is too large for binary64 is infinite.
 inline DoubleDouble DoubleDoubleOf(const mpq_class& q) {
   const double high = NearestTo(q);
+  if (!std::isfinite(high)) return {high, 0};
   return FastTwoSum(high, NearestTo(q - mpq_class(high)));
 }
 

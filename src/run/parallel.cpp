@@ -7,6 +7,7 @@
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -35,10 +36,13 @@ int ThreadsToHave(int wanted) {
 }
 
 void WithThreads(int threads, const std::function<void()>& work) {
-  // The control allows more threads than there are cores, if so wished.
-  const tbb::global_control control(
-      tbb::global_control::max_allowed_parallelism,
-      static_cast<std::size_t>(threads));
+  // More threads than there are cores, if so wished. What is allowed holds for
+  // the whole process, so that fewer are a matter of the arena alone.
+  std::optional<tbb::global_control> control;
+  if (threads > tbb::info::default_concurrency()) {
+    control.emplace(tbb::global_control::max_allowed_parallelism,
+                    static_cast<std::size_t>(threads));
+  }
   tbb::task_arena arena(threads);
   arena.execute(work);
 }

@@ -66,6 +66,18 @@ TEST(PictureView, ACameraSeesTheFirstFace) {
   EXPECT_EQ(receivers->At(1, 1)->position, (Point3{3, 1, 0}));
 }
 
+TEST(PictureView, ASurfaceAtTheEndOfBinary64IsAnError) {
+  const std::string most = "1.7e308";
+  const Scene scene =
+      SceneFromText("o a\nv -" + most + " -" + most + " 0\nv " + most + " -" +
+                    most + " 0\nv " + most + " " + most + " 0\nv -" + most +
+                    " " + most + " 0\nf 1 2 3 4\n");
+  for (const PictureSize& size : {PictureSize{4, 4}, PictureSize{4, 0}}) {
+    EXPECT_THROW((void)ReceiversOf(scene, FrameOf(scene, "a"), size),
+                 std::invalid_argument);
+  }
+}
+
 TEST(PictureView, SubjectsThatCannotBePicturedAreErrors) {
   EXPECT_EQ(ErrorOf(Camera{{3, 1, 5}, {3, 1, 5}, {0, 1, 0}, 20}, {8, 8}),
             "camera: the eye and the target are the same point");

@@ -42,20 +42,20 @@ py::dict CommonPart(const Result& result) {
     excess.mutable_at(i) = error.excess;
     passes.mutable_at(i) = error.passes;
   }
-  std::vector<std::pair<std::size_t, std::string>> worst;
+  py::list worst;
   for (const ReceiverReason& w : result.worst)
-    worst.emplace_back(w.receiver, w.reason);
+    worst.append(py::make_tuple(w.receiver, TextOf(w.reason)));
   py::dict report;
   report["passes"] = result.passes();
   report["error"] = std::move(excess);
   report["within"] = std::move(passes);
   report["worst"] = std::move(worst);
   report["verdict"] = std::string(Name(result.diagnosis.verdict));
-  report["mistake"] = result.diagnosis.mistake;
-  report["diagnosis"] = result.diagnosis.text;
+  report["mistake"] = TextOf(result.diagnosis.mistake);
+  report["diagnosis"] = TextOf(result.diagnosis.text);
   report["factor"] = result.diagnosis.factor;
-  report["text"] = result.text;
-  report["json"] = result.json;
+  report["text"] = TextOf(result.text);
+  report["json"] = TextOf(result.json);
   return report;
 }
 

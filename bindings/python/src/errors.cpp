@@ -22,8 +22,8 @@ std::string Lines(const std::vector<std::string>& defects) {
 }
 
 void Raise(const py::object& type, const std::vector<std::string>& defects) {
-  const py::object error = type(Lines(defects));
-  error.attr("defects") = py::cast(defects);
+  const py::object error = type(TextOf(Lines(defects)));
+  error.attr("defects") = TextsOf(defects);
   PyErr_SetObject(type.ptr(), error.ptr());
 }
 
@@ -31,6 +31,18 @@ void Raise(const py::object& type, const std::vector<std::string>& defects) {
 
 InputError::InputError(std::vector<std::string> defects)
     : std::runtime_error(Lines(defects)), defects_(std::move(defects)) {}
+
+py::str TextOf(const std::string& bytes) {
+  return py::reinterpret_steal<py::str>(PyUnicode_DecodeUTF8(
+      bytes.data(), static_cast<py::ssize_t>(bytes.size()), "surrogateescape"));
+}
+
+py::list TextsOf(const std::vector<std::string>& all) {
+  py::list texts;
+  for (const std::string& bytes : all)
+    texts.append(TextOf(bytes));
+  return texts;
+}
 
 void BindErrors(py::module_& module) {
   const py::object type = py::reinterpret_steal<py::object>(

@@ -25,6 +25,11 @@ class InputError : public std::runtime_error {
   std::vector<std::string> defects_;
 };
 
+/// Bytes of a file, or of a text that holds some, as text: UTF-8, and what is not
+/// by surrogates, as Python has it in names of files.
+[[nodiscard]] pybind11::str TextOf(const std::string& bytes);
+[[nodiscard]] pybind11::list TextsOf(const std::vector<std::string>& all);
+
 /// Adds truelux.Error to the module and translates exceptions of the library.
 void BindErrors(pybind11::module_& module);
 

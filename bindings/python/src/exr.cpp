@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <map>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <string>
@@ -38,25 +37,26 @@ Imf::Slice SliceOf(float* pixels, const Imath::Box2i& window, int width) {
           sizeof(float), sizeof(float) * static_cast<std::size_t>(width)};
 }
 
-/// All channels by their names, shape (height, width), as binary32.
-std::map<std::string, Channel> ReadExr(const std::string& path) {
+/// All channels by their names, shape (height, width), as binary32; and the
+/// window's first pixel (x, y).
+std::pair<py::dict, std::pair<int, int>> ReadExr(const std::string& path) {
   try {
     Imf::InputFile file(path.c_str());
     const Imath::Box2i window = file.header().dataWindow();
     const int width = window.max.x - window.min.x + 1;
     const int height = window.max.y - window.min.y + 1;
-    std::map<std::string, Channel> channels;
+    py::dict channels;
     Imf::FrameBuffer buffer;
     const Imf::ChannelList& list = file.header().channels();
     for (auto c = list.begin(); c != list.end(); ++c) {
       if (c.channel().xSampling != 1 || c.channel().ySampling != 1) continue;
       Channel pixels({py::ssize_t{height}, py::ssize_t{width}});
       buffer.insert(c.name(), SliceOf(pixels.mutable_data(), window, width));
-      channels.emplace(c.name(), std::move(pixels));
+      channels[TextOf(c.name())] = std::move(pixels);
     }
     file.setFrameBuffer(buffer);
     file.readPixels(window.min.y, window.max.y);
-    return channels;
+    return {std::move(channels), {window.min.x, window.min.y}};
   } catch (const std::exception& defect) {
     throw InputError({path + ": " + defect.what()});
   }

@@ -5,8 +5,11 @@
 #include <atomic>
 #include <csignal>
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+#include <optional>
+#include <unistd.h>
 
 namespace truelux::python {
 namespace {
@@ -33,25 +36,46 @@ bool IsMainThread() {
 }  // namespace
 
 Interruptible::Interruptible() {
-  // An interrupt that Python does not handle ends the process, or nothing does.
-  if (IsMainThread() && sigaction(SIGINT, nullptr, &before) == 0 &&
-      ((before.sa_flags & SA_SIGINFO) != 0 ||
-       (before.sa_handler != SIG_DFL && before.sa_handler != SIG_IGN))) {
-    struct sigaction action = {};
-    action.sa_sigaction = OnInterrupt;
-    action.sa_flags = SA_SIGINFO | SA_RESTART;
-    sigemptyset(&action.sa_mask);
-    asked_to_stop.store(&flag_);
-    handles_ = sigaction(SIGINT, &action, nullptr) == 0;
+  if (IsMainThread()) {
+    if (const StopFlag* outer = asked_to_stop.load()) {
+      flag_ = outer;
+    } else {
+      Catch();
+    }
   }
-  unlocked_.emplace();
+  thread_ = PyEval_SaveThread();
+}
+
+/// An interrupt that Python does not handle ends the process, or nothing does.
+void Interruptible::Catch() {
+  if (sigaction(SIGINT, nullptr, &before) != 0 ||
+      ((before.sa_flags & SA_SIGINFO) == 0 &&
+       (before.sa_handler == SIG_DFL || before.sa_handler == SIG_IGN))) {
+    return;
+  }
+  struct sigaction action = {};
+  action.sa_sigaction = OnInterrupt;
+  action.sa_flags = SA_SIGINFO | SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  asked_to_stop.store(&own_);
+  handles_ = sigaction(SIGINT, &action, nullptr) == 0;
+  if (!handles_) asked_to_stop.store(nullptr);
 }
 
 Interruptible::~Interruptible() {
-  unlocked_.reset();
+  try {
+    PyEval_RestoreThread(thread_);
+  } catch (...) {
+    StayForEver();
+  }
   if (!handles_) return;
   sigaction(SIGINT, &before, nullptr);
   asked_to_stop.store(nullptr);
+}
+
+void StayForEver() {
+  for (;;)
+    pause();
 }
 
 void ForBlocks(std::size_t count, int threads,
@@ -71,10 +95,13 @@ void ForBlocks(std::size_t count, int threads,
     all();
     return;
   }
-  // The control allows more threads than there are cores, if so wished.
-  const tbb::global_control control(
-      tbb::global_control::max_allowed_parallelism,
-      static_cast<std::size_t>(threads));
+  // More threads than there are cores, if so wished. What is allowed holds for
+  // the whole process, so that fewer are a matter of the arena alone.
+  std::optional<tbb::global_control> control;
+  if (threads > tbb::info::default_concurrency()) {
+    control.emplace(tbb::global_control::max_allowed_parallelism,
+                    static_cast<std::size_t>(threads));
+  }
   tbb::task_arena arena(threads);
   arena.execute(all);
 }

@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <pybind11/pybind11.h>
 
 #include "truelux/stop.h"
@@ -19,7 +18,9 @@ inline constexpr std::size_t kBlock = 64;
 
 /// While it lives, the interpreter's lock is free, and SIGINT sets flag() and
 /// goes on to the handler that was there. Only in the main thread, where Python
-/// looks at signals; elsewhere the flag stays false. Throws nothing.
+/// looks at signals; elsewhere the flag stays false. One within another, as a
+/// bar makes them that calls truelux, has the flag of the outer one. Throws
+/// nothing. A thread whose interpreter has ended stays in the destructor.
 class Interruptible {
  public:
   Interruptible();
@@ -28,13 +29,21 @@ class Interruptible {
   Interruptible& operator=(const Interruptible&) = delete;
 
   /// For OracleOptions::stop and ReadOptions::stop.
-  [[nodiscard]] const StopFlag* flag() const { return &flag_; }
+  [[nodiscard]] const StopFlag* flag() const { return flag_; }
 
  private:
-  StopFlag flag_ = false;
+  void Catch();
+
+  StopFlag own_ = false;
+  const StopFlag* flag_ = &own_;
   bool handles_ = false;
-  std::optional<pybind11::gil_scoped_release> unlocked_;
+  PyThreadState* thread_;  ///< whose lock is free
 };
+
+/// Where the interpreter has ended, asking for its lock unwinds the thread's
+/// stack, which must not go past destructors that throw nothing, nor run those
+/// of Python's objects. Instead the thread stays here until the process ends.
+[[noreturn]] void StayForEver();
 
 /// work(first, count) for blocks of at most kBlock that make up [0, count), on
 /// any threads, at most `threads`; 0: as many as there are cores. In the

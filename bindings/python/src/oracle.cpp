@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <pybind11/numpy.h>
@@ -25,10 +26,11 @@ namespace py = pybind11;
 namespace truelux::python {
 namespace {
 
-/// E and its bounds, shapes (n, 3); no bounds if they are not wanted.
-std::pair<py::array_t<double>, std::optional<py::array_t<double>>> Irradiances(
-    const SharedScene& scene, const Choice& choice, const Rows& points,
-    const Rows& normals, const Numbers& on_face, bool with_bound) {
+/// E and its bounds, shapes (n, 3), no bounds if they are not wanted; and how many
+/// receivers on no face get 0 and lie behind one (Scene::IsBehindFace).
+std::tuple<py::array_t<double>, std::optional<py::array_t<double>>, std::size_t>
+Irradiances(const SharedScene& scene, const Choice& choice, const Rows& points,
+            const Rows& normals, const Numbers& on_face, bool with_bound) {
   const Receivers receivers(points, normals, on_face, scene.scene);
   const std::vector<py::ssize_t> shape = {
       static_cast<py::ssize_t>(receivers.size()), 3};
@@ -37,6 +39,7 @@ std::pair<py::array_t<double>, std::optional<py::array_t<double>>> Irradiances(
   if (with_bound) bounds.emplace(shape);
   double* const value = values.mutable_data();
   double* const bound = bounds ? bounds->mutable_data() : nullptr;
+  std::atomic<std::size_t> behind = 0;
   {
     const Interruptible interruptible;
     const Oracle oracle(scene.prepared, choice.Options(interruptible.flag()));
@@ -50,10 +53,20 @@ std::pair<py::array_t<double>, std::optional<py::array_t<double>>> Irradiances(
                     if (bound != nullptr)
                       bound[3 * (first + i) + c] = e.bound[c];
                   }
+                  if (e.value == Rgb{} && block[i].on_face == 0 &&
+                      scene.scene.IsBehindFace(block[i])) {
+                    ++behind;
+                  }
                 });
               });
   }
-  return {std::move(values), std::move(bounds)};
+  return {std::move(values), std::move(bounds), behind.load()};
+}
+
+/// Throws InputError for receivers that cannot be used.
+void Check(const SharedScene& scene, const Rows& points, const Rows& normals,
+           const Numbers& on_face) {
+  const Receivers receivers(points, normals, on_face, scene.scene);
 }
 
 /// The numbers of the faces that emit, shape (s); their form factors and the
@@ -191,6 +204,7 @@ void BindOracle(py::module_& module) {
                           threads);
       }));
   module.def("irradiances", Irradiances);
+  module.def("check", Check);
   module.def("form_factors", FormFactors);
   module.def("contour", Contour);
   module.def("irradiance_from_sphere", FromSphere);

@@ -9,6 +9,8 @@
 
 #include "truelux/progress.h"
 
+#include "interruptible.h"
+
 namespace truelux::python {
 
 /// told: None, or called with done, total and what is counted; it must outlive
@@ -16,11 +18,15 @@ namespace truelux::python {
 inline ProgressHook HookOf(const pybind11::object& told) {
   if (told.is_none()) return {};
   return [function = pybind11::handle(told)](const ProgressState& state) {
-    const pybind11::gil_scoped_acquire locked;
     try {
-      function(state.done, state.total, std::string(state.things));
-    } catch (pybind11::error_already_set& error) {
-      error.discard_as_unraisable("truelux: progress");
+      const pybind11::gil_scoped_acquire locked;
+      try {
+        function(state.done, state.total, std::string(state.things));
+      } catch (pybind11::error_already_set& error) {
+        error.discard_as_unraisable("truelux: progress");
+      }
+    } catch (...) {  // no lock to be had
+      StayForEver();
     }
   };
 }

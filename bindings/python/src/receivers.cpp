@@ -12,6 +12,15 @@ namespace {
 
 constexpr std::size_t kMostDefects = 100;
 
+bool IsFace(int number, std::size_t face_count) {
+  return number >= 0 && static_cast<std::size_t>(number) <= face_count;
+}
+
+std::string OutOfRange(std::size_t face_count) {
+  return "on_face is out of range; the scene has " +
+         std::to_string(face_count) + " faces";
+}
+
 std::string DefectOf(const Receiver& r, std::size_t face_count) {
   if (!std::isfinite(r.position.x) || !std::isfinite(r.position.y) ||
       !std::isfinite(r.position.z)) {
@@ -21,11 +30,7 @@ std::string DefectOf(const Receiver& r, std::size_t face_count) {
   if (!std::isfinite(n.x) || !std::isfinite(n.y) || !std::isfinite(n.z))
     return "the normal is not finite";
   if (n.x == 0 && n.y == 0 && n.z == 0) return "the normal is zero";
-  if (r.on_face < 0 || static_cast<std::size_t>(r.on_face) > face_count) {
-    return "on_face is out of range; the scene has " +
-           std::to_string(face_count) + " faces";
-  }
-  return {};
+  return IsFace(r.on_face, face_count) ? "" : OutOfRange(face_count);
 }
 
 /// A number that no scene has, for those that an int does not hold.
@@ -74,9 +79,12 @@ Receivers::Receivers(const Rows& points, const Rows& normals,
   }
   for (pybind11::ssize_t i = 0; i < numbers.shape(0); ++i)
     on_face_.push_back(FaceNumber(numbers(i)));
+  const std::size_t face_count = scene.faces().size();
+  if (on_face_.size() == 1 && !IsFace(on_face_[0], face_count))
+    throw InputError({OutOfRange(face_count)});
   std::vector<std::string> defects;
   for (std::size_t i = 0; i < size_ && defects.size() < kMostDefects; ++i) {
-    const std::string defect = DefectOf(At(i), scene.faces().size());
+    const std::string defect = DefectOf(At(i), face_count);
     if (!defect.empty())
       defects.push_back("receiver " + std::to_string(i) + ": " + defect);
   }

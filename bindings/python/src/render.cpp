@@ -64,10 +64,10 @@ py::array_t<double> Triples(const Raster<Receiver>& receivers, bool normals) {
   return ArrayOf(values);
 }
 
-std::vector<std::string> TextsOf(const std::vector<Diagnostic>& notes) {
-  std::vector<std::string> texts;
+py::list MessagesOf(const std::vector<Diagnostic>& notes) {
+  py::list texts;
   for (const Diagnostic& note : notes)
-    texts.push_back(note.message);
+    texts.append(TextOf(note.message));
   return texts;
 }
 
@@ -152,7 +152,7 @@ std::optional<ScalarChannel> ChannelOf(const std::optional<std::string>& name) {
 }
 
 /// The bytes of the picture's file, and notes.
-std::pair<py::bytes, std::vector<std::string>> PictureBytes(
+std::pair<py::bytes, py::list> PictureBytes(
     const Rendering& rendering, bool is_exr,
     const std::vector<std::pair<std::string, std::string>>& texts,
     std::optional<double> white, bool false_colour, bool isolux,
@@ -165,8 +165,12 @@ std::pair<py::bytes, std::vector<std::string>> PictureBytes(
   style.false_colour = false_colour;
   style.isolux = isolux;
   style.channel = ChannelOf(channel);
-  const Picture picture = PictureOf(rendering.pixels.image, style);
-  return {py::bytes(picture.bytes), TextsOf(picture.notes)};
+  Picture picture;
+  {
+    const py::gil_scoped_release unlocked;
+    picture = PictureOf(rendering.pixels.image, style);
+  }
+  return {py::bytes(picture.bytes), MessagesOf(picture.notes)};
 }
 
 /// which: a name of kExtraPictures.
@@ -186,7 +190,7 @@ py::bytes ExtraBytes(const Rendering& rendering, const std::string& which,
 void BindRender(py::module_& module) {
   py::class_<Rendering>(module, "Rendering")
       .def("arrays", Arrays)
-      .def("notes", [](const Rendering& r) { return TextsOf(r.notes); })
+      .def("notes", [](const Rendering& r) { return MessagesOf(r.notes); })
       .def("picture", PictureBytes)
       .def("extra", ExtraBytes);
   module.def("render", RenderScene);

@@ -32,19 +32,31 @@ std::pair<SharedScene, std::vector<std::string>> Taken(
   return {SharedScene(*result.value), std::move(notes)};
 }
 
-std::pair<SharedScene, std::vector<std::string>> ReadFile(
-    const std::string& path, bool lenient, bool two_sided,
-    std::optional<double> opaque_from) {
-  const Interruptible interruptible;
-  return Taken(ReadScene(path, {.lenient = lenient,
-                                .opaque_from = opaque_from,
-                                .two_sided = two_sided,
-                                .stop = interruptible.flag()}));
+/// The same for Python.
+std::pair<SharedScene, py::list> WithTexts(
+    std::pair<SharedScene, std::vector<std::string>> taken) {
+  return {std::move(taken.first), TextsOf(taken.second)};
+}
+
+std::pair<SharedScene, py::list> ReadFile(const std::string& path, bool lenient,
+                                          bool two_sided,
+                                          std::optional<double> opaque_from) {
+  return WithTexts([&] {
+    const Interruptible interruptible;
+    return Taken(ReadScene(path, {.lenient = lenient,
+                                  .opaque_from = opaque_from,
+                                  .two_sided = two_sided,
+                                  .stop = interruptible.flag()}));
+  }());
+}
+
+void StopIfAsked(const Interruptible& interruptible) {
+  if (*interruptible.flag()) throw Stopped();
 }
 
 /// corners: of all faces, indices into vertices; sizes: how many of each face.
 /// The shapes have been checked.
-std::pair<SharedScene, std::vector<std::string>> FromArrays(
+std::pair<SharedScene, py::list> FromArrays(
     const py::array_t<double, py::array::c_style>& vertices,
     const py::array_t<std::int64_t, py::array::c_style>& corners,
     const py::array_t<std::int64_t, py::array::c_style>& sizes,
@@ -54,33 +66,39 @@ std::pair<SharedScene, std::vector<std::string>> FromArrays(
   const auto indices = corners.unchecked<1>();
   const auto counts = sizes.unchecked<1>();
   const auto ke = emission.unchecked<2>();
-  SceneBuilder builder("scene");
-  builder.SetLenient(lenient);
-  builder.SetTwoSided(two_sided);
-  std::vector<std::string> defects;
-  py::ssize_t next = 0;
-  for (py::ssize_t f = 0; f < counts.shape(0); ++f) {
-    std::vector<Point3> ring;
-    std::vector<int> numbers;
-    for (std::int64_t k = 0; k < counts(f); ++k) {
-      const std::int64_t v = indices(next++);
-      if (v < 0 || v >= points.shape(0)) {
-        defects.push_back("face " + std::to_string(f + 1) + ": vertex " +
-                          std::to_string(v) + " does not exist; there are " +
-                          std::to_string(points.shape(0)) + ", counted from 0");
-        continue;
+  const auto build = [&] {
+    const Interruptible interruptible;
+    SceneBuilder builder("scene");
+    builder.SetLenient(lenient);
+    builder.SetTwoSided(two_sided);
+    std::vector<std::string> defects;
+    py::ssize_t next = 0;
+    for (py::ssize_t f = 0; f < counts.shape(0); ++f) {
+      StopIfAsked(interruptible);
+      std::vector<Point3> ring;
+      std::vector<int> numbers;
+      for (std::int64_t k = 0; k < counts(f); ++k) {
+        const std::int64_t v = indices(next++);
+        if (v < 0 || v >= points.shape(0)) {
+          defects.push_back("face " + std::to_string(f + 1) + ": vertex " +
+                            std::to_string(v) + " does not exist; there are " +
+                            std::to_string(points.shape(0)) +
+                            ", counted from 0");
+          continue;
+        }
+        ring.push_back({points(v, 0), points(v, 1), points(v, 2)});
+        numbers.push_back(static_cast<int>(v) + 1);
       }
-      ring.push_back({points(v, 0), points(v, 1), points(v, 2)});
-      numbers.push_back(static_cast<int>(v) + 1);
+      if (!groups.empty())
+        builder.SetGroup(groups[static_cast<std::size_t>(f)]);
+      builder.SetVertexNumbers(std::move(numbers));
+      builder.AddFace(std::move(ring), {ke(f, 0), ke(f, 1), ke(f, 2)},
+                      static_cast<int>(f) + 1);
     }
-    if (!groups.empty()) builder.SetGroup(groups[static_cast<std::size_t>(f)]);
-    builder.SetVertexNumbers(std::move(numbers));
-    builder.AddFace(std::move(ring), {ke(f, 0), ke(f, 1), ke(f, 2)},
-                    static_cast<int>(f) + 1);
-  }
-  if (!defects.empty()) throw InputError(std::move(defects));
-  const Interruptible interruptible;
-  return Taken(builder.Build());
+    if (!defects.empty()) throw InputError(std::move(defects));
+    return Taken(builder.Build());
+  };
+  return WithTexts(build());
 }
 
 py::array_t<double> VerticesOf(const SharedScene& scene) {
@@ -140,7 +158,7 @@ py::array_t<std::int64_t> FacesNear(const SharedScene& scene,
   const Interruptible interruptible;
   ForBlocks(
       receivers.size(), threads, [&](std::size_t first, std::size_t count) {
-        if (*interruptible.flag()) throw Stopped();
+        StopIfAsked(interruptible);
         for (std::size_t i = first; i < first + count; ++i) {
           const auto face = name ? scene.scene.FaceNear(receivers.At(i), *name)
                                  : scene.scene.FaceNear(receivers.At(i), limit);
@@ -152,10 +170,12 @@ py::array_t<std::int64_t> FacesNear(const SharedScene& scene,
 
 /// The same scene, of which the faces that emit do so to both sides.
 SharedScene TwoSided(const SharedScene& shared) {
+  const Interruptible interruptible;
   const Scene& scene = shared.scene;
   SceneBuilder builder("scene");
   builder.SetTwoSided(true);
   for (const Face& face : scene.faces()) {
+    StopIfAsked(interruptible);
     std::vector<Point3> ring;
     std::vector<int> numbers;
     for (int k = 0; k < face.corner_count; ++k) {
@@ -201,7 +221,7 @@ void BindScene(py::module_& module) {
       .def("group_names",
            [](const SharedScene& s) {
              const auto names = s.scene.group_names();
-             return std::vector<std::string>(names.begin(), names.end());
+             return TextsOf({names.begin(), names.end()});
            })
       .def("emission", EmissionOf)
       .def("face_count",

@@ -18,6 +18,7 @@ from .derivatives import Derivatives, VertexGradient
 from .oracle import Contour, FormFactors, Oracle, irradiance_from_sphere
 from .render import SHADOW_CLASSES, Camera, Picture, render
 from .scene import Scene
+from .tables import read_exr
 
 __version__ = _version()
 
@@ -36,5 +37,6 @@ __all__ = [
     "VertexGradient",
     "compare",
     "irradiance_from_sphere",
+    "read_exr",
     "render",
 ]

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 import warnings
 from pathlib import Path
@@ -12,8 +13,10 @@ import numpy as np
 
 import truelux
 
-from .files import whole_file
-from .tables import read_maps, read_receivers, read_values, write_arrays
+from .arrays import error, triples
+from .files import suffix_of, whole_file
+from .tables import (VALUES, check_output, quantity_of, read_maps,
+                     read_receivers, read_values, write_arrays)
 
 _GRADIENT = ("gradient", "tangential", "normal", "vector", "jacobian", "sphere",
              "flux", "sphere_jacobian")
@@ -24,16 +27,18 @@ The numbers of truelux eval, compare and gradient, over arrays.
 RECEIVERS is one of
   .npy   shape (..., 6): points and normals
   .npz   arrays points and normals, (..., 3) each, perhaps on_face (...)
-  .csv   columns x,y,z,nx,ny,nz, perhaps on_face
+  .csv   columns x,y,z,nx,ny,nz, perhaps on_face, as truelux eval reads them
   .exr   a map of positions, with --normals a map of normals: texels whose normal
          is 0 are none; --on-face is auto unless it is given
 and what is written one of
   .npy   E of eval, shape (..., 3)
   .npz   arrays by the names of truelux.Oracle's results
-  .csv   one row per receiver
+  .csv   one row per receiver, with the columns of truelux eval and gradient;
+         of maps px and py, too
   .exr   E of eval, as binary32; A is 1 where there is a receiver
-VALUES of compare is E of another program, one per receiver: .npy (..., 3), .npz
-(an array E), .csv (columns E_r,E_g,E_b) or, over maps, an .exr of their size.
+VALUES of compare are another program's, one per receiver: .npy (..., 3), .npz (an
+array E), .csv (columns E_r,E_g,E_b) or, over maps, an .exr of their size; form
+factors (...), F, F; gradients (..., 3, 3), gradient, grad_r_x .. grad_b_z.
 """
 
 
@@ -76,6 +81,9 @@ def _parser() -> argparse.ArgumentParser:
     command.add_argument("scene", metavar="SCENE.obj")
     command.add_argument("receivers", metavar="RECEIVERS")
     command.add_argument("values", metavar="VALUES")
+    command.add_argument("--quantity", choices=tuple(VALUES),
+                         help="without it gradients, if VALUES has arrays or "
+                         "columns of theirs, else irradiance")
     command.add_argument("--tolerance", type=float, default=1e-6, metavar="T",
                          help="the largest relative error that passes "
                          "(%(default)s)")
@@ -85,12 +93,21 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _on_face(word, column):
-    if word is None:
-        return column
-    if word == "none":
-        return None
-    return int(word) if word.isdigit() else word
+def _check_words(arguments) -> None:
+    """What can be known to be wrong before the work."""
+    if arguments.command == "compare":
+        if arguments.json is not None:
+            suffix_of(arguments.json, ".json")
+        return
+    count = 2 if arguments.command == "eval" and arguments.method == "double" \
+        else 1
+    if arguments.command == "gradient":
+        names = arguments.of.split(",")
+        for name in names:
+            if name not in _GRADIENT:
+                raise error(f"--of: '{name}' is none of {', '.join(_GRADIENT)}")
+        count = 2 + len(names)
+    check_output(arguments.output, count)
 
 
 def _evaluate(oracle, arguments, points, normals, on_face) -> dict:
@@ -101,10 +118,6 @@ def _evaluate(oracle, arguments, points, normals, on_face) -> dict:
             return {"E": e, "bound": bound}
         return {"E": e}
     names = arguments.of.split(",")
-    for name in names:
-        if name not in _GRADIENT:
-            raise truelux.Error(f"--of: '{name}' is none of "
-                                f"{', '.join(_GRADIENT)}")
     d = oracle.derivatives(
         points, normals, on_face=on_face,
         sphere=any("sphere" in n or n == "flux" for n in names),
@@ -113,28 +126,73 @@ def _evaluate(oracle, arguments, points, normals, on_face) -> dict:
             **{name: getattr(d, name) for name in names}}
 
 
-def _receivers(arguments):
-    """Points, normals, faces, and which texels of maps these are, or None."""
-    covered = None
-    if arguments.receivers.lower().endswith(".exr"):
-        if arguments.normals is None:
-            raise truelux.Error("a map of positions needs --normals")
-        points, normals, covered = read_maps(arguments.receivers,
-                                             arguments.normals)
+def _face_numbers(scene, choice, points, normals) -> np.ndarray:
+    """Numbers for what --on-face or a column says, over the leading shape."""
+    shape = np.broadcast_shapes(points.shape[:-1], normals.shape[:-1])
+    if choice is None:
+        return np.zeros(shape, dtype=np.int64)
+    if isinstance(choice, str):
+        if choice.isascii() and choice.isdecimal():
+            return np.full(shape, min(int(choice[:12]), 2**40))
+        name = None if choice == "auto" else choice
+        numbers = scene.face_near(points, normals, name=name)
+        if name is not None and numbers.size and not numbers.any():
+            raise error(f"on_face: no face with an area has the name '{name}'")
+        return numbers
+    if choice.dtype != object:
+        return choice
+    numbers = np.zeros(len(choice), dtype=np.int64)
+    for cell in dict.fromkeys(choice):
+        rows = choice == cell
+        numbers[rows] = _face_numbers(scene, cell or None, points[rows],
+                                      normals[rows])
+    return numbers
+
+
+def _receivers(scene, arguments):
+    """Points, normals, face numbers; and which texels of maps these are, with
+    the maps' origin, or None."""
+    covered = origin = None
+    is_map = arguments.receivers.lower().endswith(".exr")
+    if is_map != (arguments.normals is not None):
+        raise error("a map of positions needs --normals" if is_map else
+                    "--normals belongs to a map of positions")
+    if is_map:
+        points, normals, covered, origin = read_maps(arguments.receivers,
+                                                     arguments.normals)
         column = "auto"
     else:
         points, normals, column = read_receivers(arguments.receivers)
-    return points, normals, _on_face(arguments.on_face, column), covered
+    points, normals = triples(points, "points"), triples(normals, "normals")
+    choice = column if arguments.on_face is None else arguments.on_face
+    if isinstance(choice, str) and choice == "none":
+        choice = None
+    return (points, normals, _face_numbers(scene, choice, points, normals),
+            covered, origin)
 
 
 def _compare(scene, arguments) -> int:
-    points, normals, on_face, covered = _receivers(arguments)
+    points, normals, on_face, covered, origin = _receivers(scene, arguments)
+    quantity = arguments.quantity or quantity_of(arguments.values)
+    is_rows = arguments.values.lower().endswith(".csv")
+    values = read_values(arguments.values, quantity,
+                         None if is_rows else covered, origin)
+    if is_rows:  # one row per receiver, whatever their shape
+        shape = np.broadcast_shapes(points.shape[:-1], normals.shape[:-1])
+        if len(values) == np.prod(shape, dtype=int):
+            values = values.reshape(shape + values.shape[1:])
     report = truelux.compare(
-        scene, points, normals, read_values(arguments.values, covered),
+        scene, points, normals, values, quantity=quantity,
         tolerance=arguments.tolerance, emission=arguments.emission,
         on_face=on_face, threads=arguments.threads, progress=arguments.progress,
         name=Path(arguments.values).name)
-    print(report, end="")
+    text = str(report)
+    if covered is not None:
+        rows, texels = np.nonzero(covered)
+        text = re.sub(r"(?m)^( *\d+\. )receiver (\d+):",
+                      lambda m: f"{m[1]}px {texels[int(m[2])]}, py "
+                      f"{rows[int(m[2])]}:", text)
+    print(text, end="")
     if arguments.json is not None:
         with whole_file(arguments.json) as file:
             file.write(report.to_json().encode())
@@ -142,6 +200,7 @@ def _compare(scene, arguments) -> int:
 
 
 def _run(arguments) -> int:
+    _check_words(arguments)
     scene = truelux.Scene.read(arguments.scene, lenient=arguments.lenient,
                                two_sided=arguments.two_sided)
     if arguments.command == "compare":
@@ -149,9 +208,13 @@ def _run(arguments) -> int:
     oracle = truelux.Oracle(scene, method=arguments.method,
                             emission=arguments.emission,
                             threads=arguments.threads)
-    points, normals, on_face, covered = _receivers(arguments)
+    points, normals, on_face, covered, _ = _receivers(scene, arguments)
+    results = _evaluate(oracle, arguments, points, normals, on_face)
+    shape = np.broadcast_shapes(points.shape[:-1], normals.shape[:-1]) + (3,)
     write_arrays(arguments.output,
-                 _evaluate(oracle, arguments, points, normals, on_face), covered)
+                 (np.broadcast_to(points, shape),
+                  np.broadcast_to(normals, shape), on_face.reshape(-1)),
+                 results, covered)
     return 0
 
 
@@ -162,9 +225,12 @@ def main(words=None) -> int:
                                                            file=sys.stderr)
     try:
         return _run(arguments)
-    except (truelux.Error, OSError) as error:
-        print(error, file=sys.stderr)
+    except (truelux.Error, OSError) as defect:
+        print(str(defect).encode("utf-8", "replace").decode(), file=sys.stderr)
         return 2
+    except MemoryError:
+        print("out of memory", file=sys.stderr)
+        return 3
     except KeyboardInterrupt:
         return 130
 

@@ -11,12 +11,12 @@ class Error(ValueError):
 
 class Scene:
     @staticmethod
-    def read(path: str, lenient: bool, two_sided: bool,
+    def read(path: bytes, lenient: bool, two_sided: bool,
              opaque_from: Optional[float]) -> tuple[Scene, list[str]]: ...
     @staticmethod
     def from_arrays(vertices: np.ndarray, corners: np.ndarray,
                     sizes: np.ndarray, emission: np.ndarray,
-                    groups: Sequence[str], lenient: bool,
+                    groups: Sequence[bytes], lenient: bool,
                     two_sided: bool) -> tuple[Scene, list[str]]: ...
     def vertices(self) -> np.ndarray: ...
     def corners(self) -> np.ndarray: ...
@@ -28,7 +28,7 @@ class Scene:
     def face_count(self) -> int: ...
     def vertex_count(self) -> int: ...
     def faces_near(self, points: np.ndarray, normals: np.ndarray,
-                   name: Optional[str], limit: Optional[float],
+                   name: Optional[bytes], limit: Optional[float],
                    threads: int) -> np.ndarray: ...
     def two_sided(self) -> Scene: ...
 
@@ -38,7 +38,9 @@ class Choice:
 
 def irradiances(scene: Scene, choice: Choice, points: np.ndarray,
                 normals: np.ndarray, on_face: np.ndarray, with_bound: bool
-                ) -> tuple[np.ndarray, Optional[np.ndarray]]: ...
+                ) -> tuple[np.ndarray, Optional[np.ndarray], int]: ...
+def check(scene: Scene, points: np.ndarray, normals: np.ndarray,
+          on_face: np.ndarray) -> None: ...
 def form_factors(scene: Scene, choice: Choice, points: np.ndarray,
                  normals: np.ndarray, on_face: np.ndarray
                  ) -> tuple[np.ndarray, np.ndarray, np.ndarray]: ...
@@ -57,12 +59,12 @@ def irradiance_from_sphere(points: np.ndarray, normals: np.ndarray,
 def compare(scene: Scene, choice: Choice, points: np.ndarray,
             normals: np.ndarray, on_face: np.ndarray, values: np.ndarray,
             channels: Sequence[int], has_form_factors: bool, tolerance: float,
-            name: str, told: Optional[Callable[[int, int, str], None]]
+            name: bytes, told: Optional[Callable[[int, int, str], None]]
             ) -> dict: ...
 def compare_gradients(scene: Scene, choice: Choice, points: np.ndarray,
                       normals: np.ndarray, on_face: np.ndarray,
                       values: np.ndarray, channels: Sequence[int],
-                      tolerance: float, name: str,
+                      tolerance: float, name: bytes,
                       told: Optional[Callable[[int, int, str], None]]
                       ) -> dict: ...
 
@@ -77,12 +79,12 @@ class Rendering:
 SHADOW_CLASSES: list[str]
 EXTRA_PICTURES: list[str]
 
-def render(scene: Scene, choice: Choice, surface: Optional[str],
+def render(scene: Scene, choice: Choice, surface: Optional[bytes],
            camera: tuple[Sequence[float], Sequence[float], Sequence[float],
                          float], width: int, height: int,
-           on_face: Optional[str], also: Sequence[str], bound: bool,
+           on_face: Optional[bytes], also: Sequence[str], bound: bool,
            told: Optional[Callable[[int, int, str], None]]) -> Rendering: ...
-def read_exr(path: str) -> dict[str, np.ndarray]: ...
+def read_exr(path: bytes) -> tuple[dict[str, np.ndarray], tuple[int, int]]: ...
 def exr_bytes(values: np.ndarray, covered: np.ndarray,
               texts: Sequence[tuple[str, str]]) -> bytes: ...
 def version() -> str: ...

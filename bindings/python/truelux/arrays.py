@@ -22,15 +22,61 @@ def error(*defects: str) -> Error:
     return exception
 
 
-def warn(notes: Iterable[str]) -> None:
+_WORDS = (("--white or --exposure sets it", "white= or exposure= sets it"),
+          ("--on-face auto", "on_face='auto'"),
+          ("--on-face", "on_face"),
+          ("--emission radiance", "emission='radiance'"),
+          ("--emission exitance", "emission='exitance'"))
+
+
+def in_python(text: str) -> str:
+    """A text of the library with Python's words for options."""
+    for option, argument in _WORDS:
+        text = text.replace(option, argument)
+    return text
+
+
+def warn(notes: Iterable[str], stacklevel: int = 3) -> None:
     """Notes as warnings, with the line of whoever called truelux."""
     for note in notes:
-        warnings.warn(note, Note, stacklevel=3)
+        warnings.warn(in_python(note), Note, stacklevel=stacklevel)
+
+
+def real(value, name: str) -> float:
+    """A number."""
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise error(f"{name}: expected a number, found {value!r}") from None
+
+
+def word(value, name: str) -> bytes:
+    """A text, as the bytes that the library takes."""
+    if not isinstance(value, str):
+        raise error(f"{name}: expected a str, found {type(value).__name__}")
+    try:
+        return value.encode("utf-8", "surrogateescape")
+    except UnicodeEncodeError:
+        raise error(f"{name}: the text has characters that no file has") from None
+
+
+def thread_count(threads) -> int:
+    """0 for None: one per core."""
+    if threads is None:
+        return 0
+    if not isinstance(threads, (int, np.integer)) or not 1 <= threads <= 1024:
+        raise error("threads: expected 1 to 1024, or None")
+    return int(threads)
 
 
 def numbers(values, name: str) -> np.ndarray:
     """An array of binary64, without a copy if it is one."""
-    array = np.asarray(values)
+    if np.ma.is_masked(values):
+        raise error(f"{name}: some entries are masked; expected numbers for all")
+    try:
+        array = np.asarray(values)
+    except ValueError as defect:
+        raise error(f"{name}: {defect}") from None
     if array.dtype == np.float64:
         return array
     if array.dtype.kind not in "fiu":
@@ -78,9 +124,13 @@ def faces(scene, on_face, points, normals, shape, threads) -> np.ndarray:
     """Face numbers: one for all receivers, or one each."""
     if on_face is None:
         return _NO_FACE
+    if isinstance(on_face, str) and on_face.isascii() and on_face.isdecimal():
+        on_face = np.array(min(int(on_face[:12]), 2**40))
     if isinstance(on_face, str):
         name = None if on_face == "auto" else on_face
-        found = scene._shared.faces_near(points, normals, name, None, threads)
+        found = scene._shared.faces_near(
+            points, normals, None if name is None else word(name, "on_face"),
+            None, threads)
         if name is not None and found.size and not found.any():
             raise error(f"on_face: no face with an area has the name '{name}'")
         return found

@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 import json
+import re
 from typing import Optional
 
 import numpy as np
 
 from . import _truelux
-from .arrays import error, faces, numbers, receivers
+from .arrays import (error, faces, in_python, numbers, real, receivers,
+                     thread_count, word)
+from .oracle import Oracle
 from .progress import Bar
 from .scene import Scene
 
@@ -54,11 +57,15 @@ class Comparison:
         self.verdict: str = found["verdict"]
         self.mistake: str = found["mistake"]
         self.factor: Optional[float] = found["factor"]
-        self.diagnosis: str = found["diagnosis"]
-        self.worst = [(np.unravel_index(i, shape) if shape else (), reason)
+        self.diagnosis: str = in_python(found["diagnosis"])
+        self.worst = [(_index(i, shape), reason)
                       for i, reason in found["worst"]]
-        self._text = found["text"]
-        self._json = found["json"]
+        # Reports count receivers one after the other.
+        self._text = re.sub(
+            r"(?m)^( *\d+\. receiver )(\d+):",
+            lambda m: f"{m[1]}{_index_text(int(m[2]), shape)}:",
+            in_python(found["text"]))
+        self._json = in_python(found["json"])
 
     def to_dict(self) -> dict:
         """All that the report says: the JSON of truelux compare.
@@ -71,6 +78,9 @@ class Comparison:
         """The same as text."""
         return self._json
 
+    def __bool__(self) -> bool:
+        return self.passes
+
     def __str__(self) -> str:
         return self._text
 
@@ -82,16 +92,25 @@ class Comparison:
                 f"{self.error.size} receivers fail; {what}>")
 
 
-def compare(scene: Scene, points, normals, values, *,
+def _index(i: int, shape: tuple) -> tuple:
+    return tuple(int(k) for k in np.unravel_index(i, shape)) if shape else ()
+
+
+def _index_text(i: int, shape: tuple) -> str:
+    return str(_index(i, shape)) if len(shape) > 1 else str(i)
+
+
+def compare(scene: Scene | Oracle, points, normals, values, *,
             quantity: str = "irradiance", channel: Optional[str] = None,
-            tolerance: float = 1e-6, emission: str = "exitance", on_face=None,
+            tolerance: float = 1e-6, emission: Optional[str] = None, on_face=None,
             threads: Optional[int] = None, progress: bool = False,
             name: str = "values") -> Comparison:
     """Holds another program's values against the truth, and says what is wrong.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene or Oracle
+        Of an oracle its scene, with its `emission` and two-sidedness.
     points, normals, on_face
         As for `Oracle.irradiance`.
     values : array_like
@@ -104,8 +123,8 @@ def compare(scene: Scene, points, normals, values, *,
         The only channel that the values are of.
     tolerance : float
         The largest relative error that passes.
-    emission : {"exitance", "radiance"}
-        How the scene's emission is read.
+    emission : {"exitance", "radiance"}, optional
+        How the scene's emission is read; the oracle's, else "exitance".
     threads : int, optional
     progress : bool
         Show a bar (tqdm, if it is installed).
@@ -122,24 +141,34 @@ def compare(scene: Scene, points, normals, values, *,
     truelux.Error
         For receivers that cannot be used, or values of another shape.
     """
-    if not isinstance(scene, Scene):
-        raise error(f"scene: expected a truelux.Scene, found "
-                    f"{type(scene).__name__}")
-    if quantity not in _SHAPES:
-        raise error(f"quantity: '{quantity}' is none of {', '.join(_SHAPES)}")
+    shared = scene._shared if isinstance(scene, (Scene, Oracle)) else None
+    if isinstance(scene, Oracle):
+        emission = emission or scene.emission
+        scene = scene.scene
+    if shared is None:
+        raise error(f"scene: expected a truelux.Scene or a truelux.Oracle, "
+                    f"found {type(scene).__name__}")
+    if not isinstance(quantity, str) or quantity not in _SHAPES:
+        raise error(f"quantity: {quantity!r} is none of {', '.join(_SHAPES)}")
+    tolerance = real(tolerance, "tolerance")
     if not tolerance >= 0:
         raise error("tolerance: expected 0 or more")
     inner = _SHAPES[quantity]
     channels = [0, 1, 2]
     if channel is not None:
-        if channel not in ("r", "g", "b") or not inner:
+        if not isinstance(channel, str) or channel not in tuple("rgb") \
+                or not inner:
             raise error("channel: expected 'r', 'g' or 'b', and a quantity that "
                         "has channels")
         channels = [_CHANNELS.index(channel)]
+    emission = "exitance" if emission is None else emission
+    word(emission, "emission")
+    name = word(name, "name")
+    threads = thread_count(threads)
     choice = _truelux.Choice("contour", "certified", emission, "auto", 2.0**20,
-                             threads or 0)
+                             threads)
     points, normals, shape = receivers(points, normals)
-    on_face = faces(scene, on_face, points, normals, shape, threads or 0)
+    on_face = faces(scene, on_face, points, normals, shape, threads)
     given_inner = inner[1:] if channel is not None else inner
     given = numbers(values, "values")
     if given.shape != shape + given_inner:
@@ -155,12 +184,12 @@ def compare(scene: Scene, points, normals, values, *,
     with Bar(progress) as bar:
         if quantity == "gradient":
             found = _truelux.compare_gradients(
-                scene._shared, choice, points, normals, on_face, rows, channels,
-                float(tolerance), name, bar.told)
+                shared, choice, points, normals, on_face, rows, channels,
+                tolerance, name, bar.told)
         else:
             found = _truelux.compare(
-                scene._shared, choice, points, normals, on_face, rows, channels,
-                not inner, float(tolerance), name, bar.told)
+                shared, choice, points, normals, on_face, rows, channels,
+                not inner, tolerance, name, bar.told)
     if not inner:
         found["truth"] = found["truth"][:, 0]
     elif channel is not None:

@@ -8,7 +8,8 @@ from typing import NamedTuple, Optional
 import numpy as np
 
 from . import _truelux
-from .arrays import broadcast, error, faces, numbers, receivers, triples
+from .arrays import (broadcast, error, faces, numbers, receivers,
+                     real, thread_count, triples, warn, word)
 from .derivatives import Derivatives, VertexGradient
 from .progress import in_parts
 from .scene import Scene
@@ -69,14 +70,17 @@ class Oracle:
         if not isinstance(scene, Scene):
             raise error(f"scene: expected a truelux.Scene, found "
                         f"{type(scene).__name__}")
-        if threads is not None and threads < 1:
-            raise error("threads: expected 1 to 1024, or None")
+        for text, name in ((method, "method"), (engine, "engine"),
+                           (emission, "emission"), (formula, "formula")):
+            word(text, name)
+        self._threads = thread_count(threads)
         self._scene = scene
         self._shared = (scene._shared.two_sided() if two_sided
                         else scene._shared)
-        self._threads = threads or 0
         self._choice = _truelux.Choice(engine, method, emission, formula,
                                        2.0**20, self._threads)
+        if formula != "auto" and method == "certified":
+            raise error("formula: it belongs to method='double'")
         self._words = (method, engine, emission)
 
     @property
@@ -126,6 +130,11 @@ class Oracle:
         KeyboardInterrupt
             After Ctrl-C, within a second.
 
+        Warns
+        -----
+        truelux.Note
+            If receivers on no face get 0 and lie just behind one.
+
         Notes
         -----
         The value does not depend on the engine, the threads, or what else is in
@@ -134,10 +143,14 @@ class Oracle:
         """
         points, normals, on_face, shape = self._receivers(points, normals,
                                                           on_face)
-        values, bounds = in_parts(
+        values, bounds, behind = in_parts(
             lambda p, n, f: _truelux.irradiances(self._shared, self._choice, p,
                                                  n, f, bound),
-            points, normals, on_face, progress)
+            self._shared, points, normals, on_face, progress)
+        if behind:
+            warn([f"{behind} of {len(points)} receivers get 0 and lie behind a "
+                  "face, no farther than rounding moves a point; on_face='auto' "
+                  "takes them as lying on it"])
         shape += (3,)
         if bound:
             return values.reshape(shape), bounds.reshape(shape)
@@ -207,7 +220,8 @@ class Oracle:
         sphere : bool
             Also the light field vector, its Jacobian and the net flux.
         jacobian : bool
-            Also Jacobians.
+            Also Jacobians: much slower for receivers that lie in the planes of
+            faces, as on a floor (docs/python.md, "What it costs").
 
         Returns
         -------
@@ -302,7 +316,7 @@ def irradiance_from_sphere(points, normals, center, radius: float,
     if center.shape != (3,):
         raise error(f"center: expected the shape (3,), found {center.shape}")
     values = _truelux.irradiance_from_sphere(points, normals, center.tolist(),
-                                             float(radius), exitance.tolist())
+                                             real(radius, "radius"), exitance.tolist())
     return values.reshape(shape + (3,))
 
 

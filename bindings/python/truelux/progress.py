@@ -3,37 +3,62 @@
 
 from __future__ import annotations
 
+import sys
+
 import numpy as np
+
+from . import _truelux
+
+
+class _Line:
+    """What stands in for tqdm: a line on standard error."""
+
+    def __init__(self, total: int, unit: str):
+        self.total, self.unit, self.n = total, unit, 0
+
+    def update(self, count: int) -> None:
+        self.n += count
+        print(f"\r{self.n} of {self.total} {self.unit}", end="",
+              file=sys.stderr, flush=True)
+
+    def close(self) -> None:
+        print(file=sys.stderr)
 
 
 def _tqdm():
-    """The bar of tqdm; None without it."""
+    """The bar of tqdm; a plain line without it."""
     try:
         from tqdm.auto import tqdm
     except ImportError:
-        return None
+        return _Line
     return tqdm
 
 
-def in_parts(call, points, normals, on_face, progress: bool):
+def in_parts(call, scene, points, normals, on_face, progress: bool):
     """call(points, normals, on_face), whole or, for a bar, in parts.
 
-    Returns a tuple of arrays, or of None, as call does.
+    Returns a tuple of arrays, of None, or of counts, as call does.
     """
     count = len(points)
-    tqdm = _tqdm() if progress and count else None
-    if tqdm is None:
+    if not progress or not count:
         return call(points, normals, on_face)
+    # Parts would name receivers by numbers of their own.
+    _truelux.check(scene, points, normals, on_face)
     step = max(64, -(-count // 200))
     parts = []
-    with tqdm(total=count, unit="receiver") as bar:
+    with Bar(True) as bar:
         for first in range(0, count, step):
             rows = slice(first, first + step)
             each = on_face if len(on_face) == 1 else on_face[rows]
             parts.append(call(points[rows], normals[rows], each))
-            bar.update(len(points[rows]))
-    return tuple(None if part[0] is None else np.concatenate(part)
-                 for part in zip(*parts))
+            bar.told(min(first + step, count), count, "receivers")
+    return tuple(_joined(part) for part in zip(*parts))
+
+
+def _joined(parts):
+    if isinstance(parts[0], np.ndarray):
+        return np.concatenate(parts)
+    return None if parts[0] is None else sum(parts)
 
 
 class Bar:
@@ -42,7 +67,7 @@ class Bar:
     def __init__(self, progress: bool):
         self._tqdm = _tqdm() if progress else None
         self._bar = None
-        self.told = self._tell if self._tqdm is not None else None
+        self.told = self._tell if progress else None
 
     def _tell(self, done: int, total: int, things: str) -> None:
         bar = self._bar
@@ -54,7 +79,8 @@ class Bar:
             bar = None
         if bar is None:
             bar = self._bar = self._tqdm(total=total, unit=things)
-        bar.update(done - bar.n)
+        if done > bar.n:
+            bar.update(done - bar.n)
 
     def __enter__(self) -> Bar:
         return self

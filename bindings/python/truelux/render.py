@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import NamedTuple, Optional, Sequence
 
 import numpy as np
 
 from . import _truelux
-from .arrays import error, triples, warn
-from .files import whole_file
+from .arrays import error, real, triples, warn, word
+from .files import suffix_of, whole_file
 from .oracle import Oracle
 from .progress import Bar
 from .scene import Scene
@@ -30,6 +29,12 @@ class Camera(NamedTuple):
     """What is above the middle; of any length."""
     fov: float
     """From the lower to the upper edge of the picture [degrees]."""
+
+
+def _check_channel(channel) -> None:
+    names = ("luminance", "r", "g", "b")
+    if channel is not None and channel not in names:
+        raise error(f"channel: {channel!r} is none of {', '.join(names)}")
 
 
 class Picture:
@@ -98,20 +103,29 @@ class Picture:
         truelux.Error
             For another ending, or options that do not go together.
         """
-        suffix = Path(path).suffix.lower()
-        if suffix not in (".exr", ".png"):
-            raise error(f"{path}: expected a name that ends with .exr or .png")
+        suffix = suffix_of(path, ".exr", ".png")
         if white is not None and exposure is not None:
             raise error("exposure and white say the same: give one of them")
+        if suffix == ".exr" and not (white is exposure is channel is None
+                                     and not false_colour and isolux):
+            raise error("white, exposure, false_colour, isolux and channel "
+                        "belong to a PNG; an EXR file holds the numbers "
+                        "themselves")
+        if not false_colour and not (channel is None and isolux):
+            raise error("channel and isolux belong to false_colour")
         if exposure is not None:
-            white = 2.0 ** -exposure
-        if white is not None and not (0 < white < float("inf")):
-            raise error("white: expected more than 0")
-        if suffix == ".exr" and (white is not None or false_colour):
-            raise error("white, exposure and false_colour belong to a PNG; an "
-                        "EXR file holds the numbers themselves")
+            stops = real(exposure, "exposure")
+            if not abs(stops) <= 1000:
+                raise error("exposure: expected -1000 to 1000")
+            white = 2.0 ** -stops
+        elif white is not None:
+            white = real(white, "white")
+            if not 0 < white < float("inf"):
+                raise error("white: expected a finite number above 0")
+        _check_channel(channel)
         data, notes = self._rendering.picture(
-            suffix == ".exr", self._texts, white, false_colour, isolux, channel)
+            suffix == ".exr", self._texts, white, bool(false_colour),
+            bool(isolux), channel)
         warn(notes)
         with whole_file(path) as file:
             file.write(data)
@@ -135,8 +149,10 @@ class Picture:
         """
         if which not in self._also:
             raise error(f"which: '{which}' was not asked for by also=")
-        if Path(path).suffix.lower() != ".png":
-            raise error(f"{path}: expected a name that ends with .png")
+        suffix_of(path, ".png")
+        if channel is not None and which not in ("error", "gradient"):
+            raise error("channel: it belongs to 'error' and 'gradient'")
+        _check_channel(channel)
         data = self._rendering.extra(which, channel)
         with whole_file(path) as file:
             file.write(data)
@@ -145,6 +161,41 @@ class Picture:
         height, width = self.covered.shape
         return (f"<truelux.Picture: {width} x {height}, "
                 f"{int(self.covered.sum())} receivers>")
+
+
+def _view(camera) -> tuple:
+    """Eye, target, up and fov; anything without a camera."""
+    if camera is None:
+        return [0.0] * 3, [0.0] * 3, [0.0] * 3, 0.0
+    try:
+        eye, target, up, fov = camera
+    except (TypeError, ValueError):
+        raise error("camera: expected a truelux.Camera: eye, target, up and "
+                    "fov") from None
+    vectors = []
+    for values, name in ((eye, "eye"), (target, "target"), (up, "up")):
+        vector = triples(values, f"camera.{name}")
+        if vector.shape != (3,):
+            raise error(f"camera.{name}: expected the shape (3,), found "
+                        f"{vector.shape}")
+        vectors.append(vector.tolist())
+    fov = real(fov, "camera.fov")
+    if not np.isfinite([*np.ravel(vectors), fov]).all():
+        raise error("camera: expected finite numbers")
+    return (*vectors, fov)
+
+
+def _on_face(on_face) -> Optional[bytes]:
+    """As the library's word."""
+    if on_face is None:
+        return None
+    if isinstance(on_face, str):
+        return word(on_face, "on_face")
+    if not isinstance(on_face, (int, np.integer)) or isinstance(on_face, bool) \
+            or on_face < 1:
+        raise error("on_face: expected None, 'auto', a name, or a face number "
+                    "from 1")
+    return str(on_face).encode()
 
 
 def render(oracle: Oracle | Scene, *, surface: Optional[str] = None,
@@ -194,7 +245,7 @@ def render(oracle: Oracle | Scene, *, surface: Optional[str] = None,
                     f"found {type(oracle).__name__}")
     if (surface is None) == (camera is None):
         raise error("surface, camera: expected one of them")
-    also = [also] if isinstance(also, str) else list(also)
+    also = [also] if isinstance(also, str) else list(also or ())
     for which in also:
         if which not in _truelux.EXTRA_PICTURES:
             raise error(f"also: '{which}' is none of "
@@ -203,21 +254,13 @@ def render(oracle: Oracle | Scene, *, surface: Optional[str] = None,
     if not all(isinstance(n, (int, np.integer)) and 1 <= n < 2**31
                for n in sides):
         raise error("width, height: expected whole numbers from 1")
-    if camera is not None:
-        *vectors, fov = camera
-        names = ("camera.eye", "camera.target", "camera.up")
-        view = tuple(triples(v, name).tolist()
-                     for v, name in zip(vectors, names))
-        if not np.isfinite([*np.ravel(view), fov]).all():
-            raise error("camera: expected finite numbers")
-        view += (float(fov),)
-    else:
-        view = ([0.0] * 3, [0.0] * 3, [0.0] * 3, 0.0)
+    view = _view(camera)
+    if surface is not None:
+        surface = word(surface, "surface")
     with Bar(progress) as bar:
         rendering = _truelux.render(
             oracle._shared, oracle._choice, surface, view, int(width),
-            int(height or 0), None if on_face is None else str(on_face), also,
-            bound, bar.told)
+            int(height or 0), _on_face(on_face), also, bool(bound), bar.told)
     warn(rendering.notes())
     method, engine, emission = oracle._words
     texts = [("comments", f"irradiance [W/m^2] by truelux {_truelux.version()}: "

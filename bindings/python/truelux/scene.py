@@ -9,7 +9,7 @@ from typing import Optional, Sequence
 import numpy as np
 
 from . import _truelux
-from .arrays import error, numbers, receivers, triples, warn
+from .arrays import error, numbers, real, receivers, triples, warn, word
 
 
 class Scene:
@@ -26,8 +26,8 @@ class Scene:
     emission : array_like, optional
         Radiant exitance M [W/m^2] of the faces (radiance L [W/m^2/sr] for an
         oracle with ``emission="radiance"``), which broadcasts to (f, 3); of the
-        shape (f,) it is the same in red, green and blue. By default nothing
-        emits.
+        shape (f,) it is the same in red, green and blue (three numbers for three
+        faces are an error: they could be either). By default nothing emits.
     groups : sequence of str, optional
         The object or group of every face.
     two_sided : bool
@@ -61,7 +61,7 @@ class Scene:
             raise error(f"groups: {len(groups)} names, but {len(counts)} faces")
         self._shared, notes = _truelux.Scene.from_arrays(
             np.ascontiguousarray(vertices), corners, counts, ke,
-            [str(g) for g in groups or []], lenient, two_sided)
+            [word(str(g), "groups") for g in groups or []], lenient, two_sided)
         self._input_vertices = len(vertices)
         warn(notes)
 
@@ -96,8 +96,9 @@ class Scene:
         truelux.Note
             How the file was read.
         """
-        shared, notes = _truelux.Scene.read(os.fspath(path), lenient,
-                                            two_sided, opaque_from)
+        shared, notes = _truelux.Scene.read(
+            os.fsencode(path), lenient, two_sided,
+            None if opaque_from is None else real(opaque_from, "opaque_from"))
         scene = cls._of(shared)
         warn(notes)
         return scene
@@ -161,8 +162,9 @@ class Scene:
             For receivers that cannot be used.
         """
         points, normals, shape = receivers(points, normals)
-        return self._shared.faces_near(points, normals, name, limit,
-                                       0).reshape(shape)
+        return self._shared.faces_near(
+            points, normals, None if name is None else word(name, "name"),
+            None if limit is None else real(limit, "limit"), 0).reshape(shape)
 
     def __repr__(self) -> str:
         lit = int(self.emission.any(axis=1).sum())
@@ -183,7 +185,7 @@ def _rings(faces) -> tuple[np.ndarray, np.ndarray]:
     else:
         rings = [np.asarray(ring) for ring in faces]
         for k, ring in enumerate(rings):
-            if ring.ndim != 1 or (ring.size and ring.dtype.kind not in "iu"):
+            if ring.ndim != 1 or not ring.size or ring.dtype.kind not in "iu":
                 raise error(f"faces: entry {k} is no sequence of indices")
         counts = np.array([len(ring) for ring in rings], dtype=np.int64)
         flat = np.concatenate(rings) if rings else np.zeros(0, dtype=np.int64)
@@ -196,7 +198,10 @@ def _emission(emission, count: int) -> np.ndarray:
     if emission is None:
         return np.zeros((count, 3))
     given = numbers(emission, "emission")
-    if given.shape == (count,) and count != 3 or given.ndim == 0:
+    if given.shape == (3,) and count == 3:
+        raise error("emission: three numbers for three faces: expected the shape "
+                    "(3, 1) for grey faces, or (1, 3) for one colour")
+    if given.shape == (count,) or given.ndim == 0:
         given = given.reshape(-1, 1)
     try:
         return np.array(np.broadcast_to(given, (count, 3)), order="C")

@@ -2,15 +2,13 @@
 #include "exact/view_geometry.h"
 
 #include <bit>
-#include <utility>
 
 #include "exact/approximation.h"
 
 namespace truelux {
 namespace {
 
-/// Whether two recipes for the same edge, or a part of it, run through it in
-/// either direction.
+/// Whether two recipes are for the same edge, in either direction.
 template <class Recipe>
 bool HaveSameEnds(const PlaneRecipe& p, const Recipe& q) {
   return (p.from() == q.from() && p.to() == q.to()) ||
@@ -75,6 +73,7 @@ void BasicViewGeometry<kKind>::SetReceiver(const Point3& position,
   directions_.clear();
   bundles_.clear();
   slow_.clear();
+  doubled_.clear();
   statistics_ = {};
   vertex_directions_.Clear();
 }
@@ -130,26 +129,27 @@ template <PredicateKind kKind>
 auto BasicViewGeometry<kKind>::SlowDirection(ViewDirectionId id)
     -> SlowVector& {
   SlowId& slow = directions_[id].slow;
-  if (!slow.valid()) {
-    slow = slow_.push_back(
-        {interval_.Direction(directions_[id].recipe, {}, {}), {}, nullptr});
-  }
+  if (!slow.valid())
+    slow =
+        slow_.push_back({interval_.Direction(directions_[id].recipe, {}, {})});
   return slow_[slow];
 }
 
 template <PredicateKind kKind>
 const DoubledVector& BasicViewGeometry<kKind>::PlaneDoubled(ViewPlaneId id) {
-  std::optional<DoubledVector>& doubled = SlowPlane(id).doubled;
-  if (!doubled) doubled = DoubledPlane(view_, planes_[id].recipe);
-  return *doubled;
+  DoubledId& at = SlowPlane(id).doubled;
+  if (!at.valid())
+    at = doubled_.push_back(DoubledPlane(view_, planes_[id].recipe));
+  return doubled_[at];
 }
 
 template <PredicateKind kKind>
 const DoubledVector& BasicViewGeometry<kKind>::DirectionDoubled(
     ViewDirectionId id) {
-  std::optional<DoubledVector>& doubled = SlowDirection(id).doubled;
-  if (!doubled) doubled = DoubledDirection(view_, directions_[id].recipe);
-  return *doubled;
+  DoubledId& at = SlowDirection(id).doubled;
+  if (!at.valid())
+    at = doubled_.push_back(DoubledDirection(view_, directions_[id].recipe));
+  return doubled_[at];
 }
 
 template <PredicateKind kKind>

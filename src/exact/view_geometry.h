@@ -208,12 +208,13 @@ class BasicViewGeometry {
 
  private:
   using SlowId = Id<struct SlowTag>;
+  using DoubledId = Id<struct DoubledTag>;
 
   /// A vector at the slow stages, made when one is first needed.
   struct SlowVector {
     Vec3<Interval> interval;
-    std::optional<DoubledVector> doubled;
-    std::unique_ptr<Vec3<Exact>> exact;
+    DoubledId doubled{};  ///< none until it is needed
+    std::unique_ptr<Vec3<Exact>> exact{};
   };
 
   /// A direction to a vertex or a point of an edge.
@@ -270,6 +271,7 @@ class BasicViewGeometry {
   IdVector<ViewDirectionId, DirectionEntry> directions_;
   IdVector<BundleId, PlaneBundle> bundles_;
   IdVector<SlowId, SlowVector> slow_;
+  IdVector<DoubledId, DoubledVector> doubled_;
   StampedTable<ViewDirectionId, VertexId> vertex_directions_;
   Statistics statistics_;
 };

@@ -120,14 +120,17 @@ void BlockerParts<Geometry>::Add(PieceId piece, const ImageBox& box) {
   boxes_.push_back(part_box);
 }
 
+/// Drops the blockers that finder.ForEachAround shows to be hidden. False if none
+/// are.
 template <class Geometry>
-void BlockerParts<Geometry>::DropHidden(PartBins& bins) {
+template <class Finder>
+bool BlockerParts<Geometry>::Drop(const Finder& finder) {
   std::size_t kept = 0;
   dropped_.assign(parts_.size(), false);
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const ImageBox& box = boxes_[p];
     // What another part hides is itself in the part that hides that one.
-    dropped_[p] = !bins.ForEachAround(box, [&](std::size_t other) {
+    dropped_[p] = !finder.ForEachAround(box, [&](std::size_t other) {
       if (other == p || dropped_[other] || !boxes_[other].Contains(box)) {
         return true;
       }
@@ -136,7 +139,7 @@ void BlockerParts<Geometry>::DropHidden(PartBins& bins) {
     });
     if (!dropped_[p]) ++kept;
   }
-  if (kept == parts_.size()) return;
+  if (kept == parts_.size()) return false;
   std::size_t next = 0;
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     if (dropped_[p]) continue;
@@ -148,7 +151,19 @@ void BlockerParts<Geometry>::DropHidden(PartBins& bins) {
   }
   parts_.resize(kept);
   boxes_.resize(kept);
-  bins.Build(boxes_, source_.box());
+  return true;
+}
+
+template <class Geometry>
+void BlockerParts<Geometry>::DropHidden(PartBins& bins) {
+  if (Drop(bins)) bins.Build(boxes_, source_.box());
+}
+
+template <class Geometry>
+bool BlockerParts<Geometry>::DropHiddenInGrid() {
+  if (!grid_.Build(boxes_, source_.box())) return false;
+  Drop(grid_);
+  return true;
 }
 
 template class BlockerParts<ViewGeometry>;

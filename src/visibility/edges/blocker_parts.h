@@ -15,6 +15,7 @@
 #include "visibility/edges/image_box.h"
 #include "visibility/edges/part.h"
 #include "visibility/edges/part_bins.h"
+#include "visibility/edges/part_grid.h"
 #include "visibility/edges/source_cones.h"
 
 namespace truelux {
@@ -47,6 +48,10 @@ class BlockerParts {
   /// one stays. `bins` hold the blockers' boxes, before and after.
   void DropHidden(PartBins& bins);
 
+  /// The same without bins, for many small blockers; false, and nothing done, if
+  /// they are not.
+  bool DropHiddenInGrid();
+
   /// The blockers.
   [[nodiscard]] std::span<Part> parts() { return parts_; }
 
@@ -66,6 +71,8 @@ class BlockerParts {
   bool MakePart(PieceId piece, Part& part, ImageBox& box);
   bool IsApart(const Cone& cone, const ImageBox& box);
   bool HidesAll(Cone& cone, const ImageBox& box);
+  template <class Finder>
+  bool Drop(const Finder& finder);
 
   const ConvexPieces& pieces_;
   Geometry& geometry_;
@@ -76,6 +83,7 @@ class BlockerParts {
   std::vector<Part> parts_;
   std::vector<ImageBox> boxes_;
   std::vector<bool> dropped_;  ///< per part, while DropHidden runs
+  PartGrid grid_;
   bool hide_all_ = false;
   StampedSet<PieceId> is_blocker_;
 };

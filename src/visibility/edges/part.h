@@ -21,6 +21,7 @@ using CandidateId = Id<struct CandidateTag>;
 struct Part {
   Cone cone;
   std::array<CandidateId, Cone::kMaxEdges> candidates;
+  bool has_candidates = false;  ///< inside a mesh most parts have none
 };
 
 }  // namespace truelux

@@ -63,6 +63,7 @@ void SourceContour<Geometry>::NumberEdges(std::span<Part> parts,
                                           bool are_blockers,
                                           CandidateId& next) {
   for (Part& part : parts) {
+    const CandidateId first = next;
     for (std::size_t k = 0; k < part.cone.size; ++k) {
       const EdgeId edge = part.cone.edges[k];
       const bool left_out =
@@ -70,6 +71,7 @@ void SourceContour<Geometry>::NumberEdges(std::span<Part> parts,
       part.candidates[k] = left_out ? CandidateId() : next;
       if (!left_out) ++next;
     }
+    part.has_candidates = next != first;
   }
 }
 
@@ -210,6 +212,7 @@ void SourceContour<Geometry>::AddArc(const Owner& owner, std::size_t k,
 /// arcs.
 template <class Geometry>
 void SourceContour<Geometry>::SweepPart(const Owner& owner) {
+  if (!owner.part->has_candidates) return;
   cones_.Complete(owner.part->cone);
   std::uint32_t open = StartEdges(owner);
   if (open == 0) return;
@@ -234,10 +237,10 @@ template <class Geometry>
 void SourceContour<Geometry>::AppendArcs(std::vector<ViewArc>& arcs) {
   if (blockers_.hide_all()) return;
   arcs_ = &arcs;
+  const bool are_dropped = blockers_.DropHiddenInGrid();
   bins_.Build(blockers_.boxes(), source_.box());
-  if (blockers_.parts().size() >= kManyBlockers) {
+  if (!are_dropped && blockers_.parts().size() >= kManyBlockers)
     blockers_.DropHidden(bins_);
-  }
   NumberCandidates();
   for (std::size_t s = 0; s < source_.parts().size(); ++s)
     SweepPart({&source_.parts()[s], s, false});

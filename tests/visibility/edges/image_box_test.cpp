@@ -12,6 +12,7 @@
 #include "exact/number.h"
 #include "support/portable_random.h"
 #include "visibility/edges/part_bins.h"
+#include "visibility/edges/part_grid.h"
 
 namespace truelux {
 namespace {
@@ -131,6 +132,71 @@ TEST(PartBins, FindsEveryBoxThatMeetsInsideTheFrame) {
     EXPECT_LE(calls, 1U);
   }
   EXPECT_LT(found_boxes * 2, all_boxes);
+}
+
+/// Many small boxes, a few large ones.
+std::vector<ImageBox> ManyBoxes(PortableRandom& random, int count) {
+  std::vector<ImageBox> boxes;
+  for (int k = 0; k < count; ++k) {
+    const double size = random.OneIn(200) ? 1.5 : 0.05;
+    const double x = random.Uniform(-1.5, 1.5);
+    const double y = random.Uniform(-1.5, 1.5);
+    boxes.emplace_back(x, x + random.Uniform(0, size), y,
+                       y + random.Uniform(0, size));
+  }
+  boxes.emplace_back();
+  return boxes;
+}
+
+TEST(PartGrid, FindsWhatContainsABoxInsideTheFrame) {
+  PortableRandom random(3);
+  std::size_t around_boxes = 0;
+  std::size_t all_boxes = 0;
+  PartGrid grid;
+  for (int i = 0; i < 60; ++i) {
+    const RoundUpward rounding;
+    const ImageBox frame{-1, 1, -1, 1};
+    const std::vector<ImageBox> boxes =
+        ManyBoxes(random, random.Integer(1100, 4000));
+    ASSERT_TRUE(grid.Build(boxes, frame));
+    for (int q = 0; q < 20; ++q) {
+      const double x = random.Uniform(-1, 0.9);
+      const double y = random.Uniform(-1, 0.9);
+      const ImageBox query(x, x + random.Uniform(0, 0.1), y,
+                           y + random.Uniform(0, 0.1));
+      std::vector<bool> around(boxes.size(), false);
+      EXPECT_TRUE(grid.ForEachAround(query, [&](std::size_t k) {
+        EXPECT_FALSE(around[k]);
+        around[k] = true;
+        ++around_boxes;
+        return true;
+      }));
+      all_boxes += boxes.size();
+      for (std::size_t k = 0; k < boxes.size(); ++k) {
+        EXPECT_TRUE(around[k] || !boxes[k].Contains(query));
+      }
+      std::size_t calls = 0;
+      EXPECT_FALSE(grid.ForEachAround(query, [&](std::size_t) {
+        ++calls;
+        return false;
+      }));
+      EXPECT_EQ(calls, 1U);
+    }
+  }
+  EXPECT_LT(around_boxes * 40, all_boxes);
+}
+
+TEST(PartGrid, DeclinesWhereSetsOfBitsAreBetter) {
+  PortableRandom random(4);
+  const RoundUpward rounding;
+  PartGrid grid;
+  const ImageBox frame{-1, 1, -1, 1};
+  EXPECT_FALSE(grid.Build(ManyBoxes(random, 500), frame));
+  EXPECT_FALSE(grid.Build(std::vector<ImageBox>(2000), frame));
+  const std::vector<ImageBox> many = ManyBoxes(random, 2000);
+  EXPECT_TRUE(grid.Build(many, frame));
+  EXPECT_FALSE(grid.Build(many, {}));
+  EXPECT_FALSE(grid.Build(many, {0.5, 0.5, -1, 1}));
 }
 
 }  // namespace

@@ -58,8 +58,9 @@ class Progress {
   Watch watch_;
   std::optional<std::uint64_t> total_;
   std::string things_;
-  std::atomic<std::uint64_t> done_ = 0;
-  std::mutex telling_;
+  /// Alone on its cache line: all threads write it, and read what is beside it.
+  alignas(64) std::atomic<std::uint64_t> done_ = 0;
+  alignas(64) std::mutex telling_;
   std::chrono::steady_clock::time_point told_{};  ///< guarded by telling_
   std::mutex mutex_;
   std::condition_variable stop_signal_;

@@ -179,7 +179,7 @@ py::tuple VertexGradientOf(const SharedScene& scene, const Choice& choice,
     const Oracle oracle(scene.prepared, choice.Options(interruptible.flag()));
     // Found in any order and added in one, a part at a time: derivatives of
     // all receivers may not fit into memory.
-    constexpr std::size_t kPart = 64 * kBlock;
+    constexpr std::size_t kPart = 64 * kLargestBlock;
     std::vector<VertexDerivatives> part;
     for (std::size_t begin = 0; begin < receivers.size(); begin += kPart) {
       const std::size_t size = std::min(kPart, receivers.size() - begin);

@@ -80,10 +80,15 @@ void StayForEver() {
 
 void ForBlocks(std::size_t count, int threads,
                const std::function<void(std::size_t, std::size_t)>& work) {
-  const std::size_t blocks = (count + kBlock - 1) / kBlock;
+  constexpr std::size_t kBlocksOfThread = 4;
+  const auto thread_count = static_cast<std::size_t>(
+      threads > 0 ? threads : tbb::info::default_concurrency());
+  const std::size_t size = std::clamp(count / (kBlocksOfThread * thread_count),
+                                      kSmallestBlock, kLargestBlock);
+  const std::size_t blocks = (count + size - 1) / size;
   const auto block = [&](std::size_t b) {
-    const std::size_t first = b * kBlock;
-    work(first, std::min(kBlock, count - first));
+    const std::size_t first = b * size;
+    work(first, std::min(size, count - first));
   };
   if (blocks <= 1 || threads == 1) {
     for (std::size_t b = 0; b < blocks; ++b)

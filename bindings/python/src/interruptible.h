@@ -12,9 +12,11 @@
 
 namespace truelux::python {
 
-/// Receivers are handed to the library in blocks of so many: near ones share
-/// work there, and a block is what a thread takes at a time.
-inline constexpr std::size_t kBlock = 64;
+/// Receivers are handed to the library in blocks: near ones share work there,
+/// and a block is what a thread takes at a time. At most so many, and fewer if
+/// there are not enough for some blocks a thread.
+inline constexpr std::size_t kLargestBlock = 64;
+inline constexpr std::size_t kSmallestBlock = 4;
 
 /// While it lives, the interpreter's lock is free, and SIGINT sets flag() and
 /// goes on to the handler that was there. Only in the main thread, where Python
@@ -45,7 +47,7 @@ class Interruptible {
 /// of Python's objects. Instead the thread stays here until the process ends.
 [[noreturn]] void StayForEver();
 
-/// work(first, count) for blocks of at most kBlock that make up [0, count), on
+/// work(first, count) for blocks of at most kLargestBlock that make up [0, count), on
 /// any threads, at most `threads`; 0: as many as there are cores. In the
 /// calling thread if there is one block. Ends with what work throws.
 void ForBlocks(std::size_t count, int threads,

@@ -250,24 +250,43 @@ def test_ctrl_c_ends_a_call_and_the_oracle_goes_on(tmp_path):
     assert process.wait() == 0
 
 
-def test_calls_leave_nothing_behind(oracle, scene):
-    def resident():
-        with open("/proc/self/statm") as f:
-            return int(f.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+def resident():
+    with open("/proc/self/statm") as f:
+        return int(f.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
-    def work(times):
-        for _ in range(times):
-            oracle.irradiance([0, 0, 0], UP)
-            oracle.derivatives([0, 0, 0], UP)
-            with pytest.raises(truelux.Error):
-                oracle.irradiance([0, 0, 0], 0 * UP)
+
+def grown(work, times):
+    """Bytes that so many calls leave behind."""
     if not os.path.exists("/proc/self/statm"):
         pytest.skip("no /proc")
     if "libasan" in os.environ.get("LD_PRELOAD", ""):
         pytest.skip("AddressSanitizer keeps what is freed for a while")
-    work(300)
+    for _ in range(times // 10):
+        work()
     gc.collect()
     before = resident()
-    work(3000)
+    for _ in range(times):
+        work()
     gc.collect()
-    assert resident() - before < 2_000_000
+    return resident() - before
+
+
+def test_calls_leave_nothing_behind(oracle, scene):
+    def work():
+        oracle.irradiance([0, 0, 0], UP)
+        oracle.derivatives([0, 0, 0], UP)
+        with pytest.raises(truelux.Error):
+            oracle.irradiance([0, 0, 0], 0 * UP)
+    assert grown(work, 3000) < 2_000_000
+
+
+def test_threads_leave_nothing_behind(scene, grid):
+    oracle = truelux.Oracle(scene, threads=2)
+    camera = truelux.Camera((0, 0, -3), (0, 0, 1), (0, 1, 0), 40)
+    e = oracle.irradiance(grid, UP)
+
+    def work():
+        oracle.irradiance(grid, UP)
+        truelux.render(oracle, camera=camera, width=12)
+        truelux.compare(scene, grid, UP, e * 2, threads=2)
+    assert grown(work, 500) < 2_000_000

@@ -174,15 +174,19 @@ struct ReceiverReason {
   std::string reason;        ///< what it sees, and what is hard about it
 };
 
-/// A candidate's irradiances, or form factors, held against the truth.
-struct CandidateComparison {
-  std::vector<Rgb> truth;  ///< certified, one per receiver; all channels
-  std::vector<CandidateError> errors;  ///< one per receiver
-  CandidateSummary summary;
+/// What comparisons of every quantity have.
+struct ComparisonReport {
   std::vector<ReceiverReason> worst;  ///< worst first, at most ten
   Diagnosis diagnosis;
   std::string text;  ///< the report of truelux compare
   std::string json;  ///< the same as one JSON object (docs/compare.md)
+};
+
+/// A candidate's irradiances, or form factors, held against the truth.
+struct CandidateComparison : ComparisonReport {
+  std::vector<Rgb> truth;  ///< certified, one per receiver; all channels
+  std::vector<CandidateError> errors;  ///< one per receiver
+  CandidateSummary summary;
 
   /// Whether every receiver is within the tolerance.
   [[nodiscard]] bool passes() const { return summary.failing() == 0; }

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "truelux/comparison.h"
@@ -88,14 +87,10 @@ struct GradientTruth {
 };
 
 /// A candidate's gradients held against the truth.
-struct GradientComparison {
+struct GradientComparison : ComparisonReport {
   std::vector<GradientTruth> truth;   ///< one per receiver
   std::vector<GradientError> errors;  ///< one per receiver
   GradientErrorSummary summary;
-  std::vector<ReceiverReason> worst;  ///< worst first, at most ten
-  Diagnosis diagnosis;
-  std::string text;  ///< the report of truelux compare
-  std::string json;  ///< the same as one JSON object (docs/compare.md)
 
   /// Whether some receiver has a gradient, and all that have are within the
   /// tolerance.

@@ -15,6 +15,7 @@
 #include "truelux/export.h"
 #include "truelux/geometry.h"
 #include "truelux/irradiance.h"
+#include "truelux/picture.h"
 #include "truelux/progress.h"
 #include "truelux/raster.h"
 #include "truelux/receiver.h"
@@ -53,6 +54,9 @@ struct PixelWishes {
   bool classes = false;
   bool gradients = false;  ///< lengths of tangential gradients
 };
+
+/// Sets the wish that the picture needs.
+TRUELUX_EXPORT void Wish(ExtraPicture extra, PixelWishes& wishes);
 
 /// How a picture is rendered, and who watches. What asks the call to end is the
 /// oracle's stop flag.

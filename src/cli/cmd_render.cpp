@@ -2,7 +2,6 @@
 #include "cli/cmd_render.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <fmt/format.h>
@@ -10,27 +9,25 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "truelux/picture.h"
+#include "truelux/render.h"
 #include "truelux/stop.h"
 
 #include "cli/loading.h"
 #include "cli/part_key.h"
-#include "image/extra_picture.h"
-#include "image/kink_jumps.h"
 #include "image/picture_view.h"
 #include "image/pixel_part.h"
 #include "image/pixel_table.h"
 #include "image/pixels_on_faces.h"
-#include "image/render_pixels.h"
+#include "image/render_frame.h"
 #include "image/tile_grid.h"
 #include "run/interrupt.h"
 #include "run/messages.h"
 #include "run/output_file.h"
-#include "run/progress.h"
 #include "run/user_error.h"
+#include "run/watch.h"
 #include "text/receiver_sample.h"
 
 namespace truelux {
@@ -43,13 +40,8 @@ OutputPaths Outputs(const RenderRequest& request) {
   return outputs;
 }
 
-std::uint64_t PixelCount(const PixelReceivers& receivers) {
-  return static_cast<std::uint64_t>(receivers.width()) *
-         static_cast<std::uint64_t>(receivers.height());
-}
-
 std::string DoneText(const PixelPart& part, const PixelReceivers& receivers) {
-  return fmt::format("{} of {} pixels", part.done(), PixelCount(receivers));
+  return fmt::format("{} of {} pixels", part.done(), receivers.size());
 }
 
 /// What is left of an interrupted run.
@@ -70,18 +62,8 @@ RenderedPixels RenderShowingProgress(const Oracle& oracle,
                           DoneText(*part, receivers)));
   }
   try {
-    RenderedPixels pixels;
-    {
-      Progress progress(PixelCount(receivers), "pixels");
-      pixels = RenderPixels(oracle, receivers, request.wishes, request.threads,
-                            part, progress);
-    }
-    const auto* surface = std::get_if<SurfaceFrame>(&frame.frame);
-    if (request.wishes.gradients && surface != nullptr) {
-      pixels.kinks = FindKinkJumps(oracle, *surface, receivers, request.threads,
-                                   UserAtTerminal());
-    }
-    return pixels;
+    return RenderFrame(oracle, frame, receivers, request.wishes,
+                       request.threads, part, UserAtTerminal());
   } catch (const Stopped&) {
     NoteKept(part, receivers);
     throw;
@@ -112,9 +94,8 @@ std::unique_ptr<PixelReceivers> OnOtherFaces(const Scene& scene,
   if (!request.on_face) return nullptr;
   FaceWords words(scene);
   const FaceChoice choice = OnFaceOf(request.on_face, words);
-  Progress progress(static_cast<std::uint64_t>(shown.height()), "rows");
-  auto pixels = std::make_unique<PixelsOnFaces>(scene, shown, choice,
-                                                request.threads, progress);
+  auto pixels = std::make_unique<PixelsOnFaces>(
+      scene, shown, choice, request.threads, UserAtTerminal());
   NoteFoundFaces(pixels->found());
   return pixels;
 }

@@ -10,10 +10,10 @@
 
 #include "truelux/irradiance.h"
 #include "truelux/picture.h"
+#include "truelux/render.h"
 
 #include "cli/input_arguments.h"
 #include "cli/output_paths.h"
-#include "image/extra_picture.h"
 #include "image/picture_view.h"
 #include "image/render_pixels.h"
 

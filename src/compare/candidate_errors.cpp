@@ -80,10 +80,7 @@ CandidateError ErrorAt(const Rgb& value, const Rgb& truth, const Rgb& largest,
 }  // namespace
 
 Rgb CandidateData::Compared(const Rgb& all_channels) const {
-  Rgb compared{};
-  for (std::size_t c = 0; c < channels.size(); ++c)
-    compared[c] = all_channels[channels[c]];
-  return compared;
+  return PickChannels<double>(channels, all_channels);
 }
 
 std::vector<CandidateError> ErrorsOf(const CandidateData& data,

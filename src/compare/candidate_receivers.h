@@ -4,6 +4,7 @@
 #ifndef TRUELUX_COMPARE_CANDIDATE_RECEIVERS_H_
 #define TRUELUX_COMPARE_CANDIDATE_RECEIVERS_H_
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -24,6 +25,26 @@ struct CandidateReceivers {
   std::vector<std::size_t>
       lines;  ///< of the receivers in the candidate's table
 };
+
+/// The entries of the compared channels, first; the others are 0.
+template <class T>
+[[nodiscard]] std::array<T, 3> PickChannels(
+    std::span<const std::size_t> channels, const std::array<T, 3>& all) {
+  std::array<T, 3> picked{};
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    picked[c] = all[channels[c]];
+  return picked;
+}
+
+/// These entries in their places again; the others are 0.
+template <class T>
+[[nodiscard]] std::array<T, 3> SpreadChannels(
+    std::span<const std::size_t> channels, const std::array<T, 3>& picked) {
+  std::array<T, 3> all{};
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    all[channels[c]] = picked[c];
+  return all;
+}
 
 /// Some of them, by their indices; without `found`.
 [[nodiscard]] inline CandidateReceivers SomeReceiversOf(

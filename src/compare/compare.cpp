@@ -29,8 +29,7 @@ void Check(bool holds, const char* message) {
 
 CompareSettings SettingsOf(const CompareOptions& options, Quantity quantity) {
   Check(options.tolerance >= 0, "tolerance: expected 0 or more");
-  Check(options.threads >= 1 && options.threads <= kMaxThreads,
-        "threads: expected 1 to 1024");
+  CheckThreads(options.threads);
   return {.truth = {.quantity = quantity, .emission = options.emission},
           .tolerance = options.tolerance,
           .threads = options.threads,
@@ -61,14 +60,16 @@ CandidateReceivers ReceiversOf(const std::vector<Receiver>& receivers,
   return candidate;
 }
 
-/// The names, the worst receivers, and the texts: what reports of both kinds
-/// bring along.
+/// Names the report, and fills in all but truth and texts.
 template <class Report, class Result>
 void FillIn(Report& report, const CompareOptions& options, Result& result) {
   report.scene_name = Visible(options.scene_name);
   report.candidate_name = Visible(options.candidate_name);
   for (const auto& worst : report.worst)
     result.worst.push_back({worst.receiver, SummaryOf(worst.detail)});
+  result.errors = report.errors;
+  result.summary = report.summary;
+  result.diagnosis = report.diagnosis;
 }
 
 }  // namespace
@@ -91,14 +92,10 @@ CandidateComparison Compare(const Scene& scene, const Candidate& candidate,
   FillIn(report, options, result);
   result.text = CandidateText(report);
   result.json = CandidateJson(report, VersionText());
-  result.truth.resize(report.data.truth.size());
-  for (std::size_t i = 0; i < result.truth.size(); ++i) {
-    for (std::size_t c = 0; c < report.data.channels.size(); ++c)
-      result.truth[i][report.data.channels[c]] = report.data.truth[i][c];
+  for (const Rgb& compared : report.data.truth) {
+    result.truth.push_back(
+        SpreadChannels<double>(report.data.channels, compared));
   }
-  result.errors = std::move(report.errors);
-  result.summary = report.summary;
-  result.diagnosis = std::move(report.diagnosis);
   return result;
 }
 
@@ -108,28 +105,19 @@ GradientComparison CompareGradients(const Scene& scene,
   GradientData data;
   static_cast<CandidateReceivers&>(data) = ReceiversOf(
       candidate.receivers, candidate.values.size(), candidate.channels, "grad");
-  for (const GradientRow& value : candidate.values) {
-    GradientRow compared{};
-    for (std::size_t c = 0; c < data.channels.size(); ++c)
-      compared[c] = value[data.channels[c]];
-    data.values.push_back(compared);
-  }
+  for (const GradientRow& value : candidate.values)
+    data.values.push_back(PickChannels<Vector3>(data.channels, value));
   GradientReport report = CompareGradientData(
       scene, std::move(data), SettingsOf(options, Quantity::kGradient));
   GradientComparison result;
   FillIn(report, options, result);
   result.text = GradientText(report);
   result.json = GradientJson(report, VersionText());
-  result.truth.resize(report.data.truth.size());
-  for (std::size_t i = 0; i < result.truth.size(); ++i) {
-    const GradientTruth& compared = report.data.truth[i];
-    result.truth[i].smoothness = compared.smoothness;
-    for (std::size_t c = 0; c < report.data.channels.size(); ++c)
-      result.truth[i].gradient[report.data.channels[c]] = compared.gradient[c];
+  for (const GradientTruth& compared : report.data.truth) {
+    result.truth.push_back(
+        {compared.smoothness,
+         SpreadChannels<Vector3>(report.data.channels, compared.gradient)});
   }
-  result.errors = std::move(report.errors);
-  result.summary = report.summary;
-  result.diagnosis = std::move(report.diagnosis);
   return result;
 }
 

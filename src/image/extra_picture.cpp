@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "image/extra_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "truelux/picture.h"
 #include "truelux/raster.h"
+#include "truelux/render.h"
 
 #include "explain/shadow_class.h"
 #include "image/false_colour.h"

@@ -115,8 +115,9 @@ std::unique_ptr<PixelReceivers> ReceiversOf(const Scene& scene,
                                             const PictureFrame& frame,
                                             const PictureSize& size) {
   if (const auto* camera = std::get_if<CameraFrame>(&frame.frame)) {
-    return std::make_unique<CameraPixels>(scene, *camera, size.width,
-                                          size.height);
+    const int height = size.height > 0 ? size.height : size.width;
+    CheckPixelCount(size.width, height);
+    return std::make_unique<CameraPixels>(scene, *camera, size.width, height);
   }
   return SurfaceReceivers(scene, std::get<SurfaceFrame>(frame.frame), size);
 }

@@ -34,9 +34,9 @@ struct PictureFrame {
 [[nodiscard]] PictureFrame FrameOf(const Scene& scene,
                                    const PictureSubject& subject);
 
-/// The receivers of the pixels. frame: of this scene. A camera needs both
-/// sides of the size. Throws std::invalid_argument if a surface has too
-/// many pixels or coordinates that are too large.
+/// The receivers of the pixels. frame: of this scene. Without a height a camera's
+/// picture is square. Throws std::invalid_argument if there are too many pixels,
+/// or if a surface has coordinates that are too large.
 [[nodiscard]] std::unique_ptr<PixelReceivers> ReceiversOf(
     const Scene& scene, const PictureFrame& frame, const PictureSize& size);
 

@@ -4,6 +4,7 @@
 #ifndef TRUELUX_IMAGE_PIXEL_RECEIVERS_H_
 #define TRUELUX_IMAGE_PIXEL_RECEIVERS_H_
 
+#include <cstdint>
 #include <optional>
 
 #include "truelux/receiver.h"
@@ -24,6 +25,12 @@ class PixelReceivers {
   [[nodiscard]] int width() const { return width_; }
 
   [[nodiscard]] int height() const { return height_; }
+
+  /// How many pixels there are.
+  [[nodiscard]] std::uint64_t size() const {
+    return static_cast<std::uint64_t>(width_) *
+           static_cast<std::uint64_t>(height_);
+  }
 
   /// The receiver at the centre of a pixel; nothing where no face is. x counts
   /// from the left, y from the top, both from 0. Always the same answer.

@@ -10,11 +10,12 @@ namespace truelux {
 
 PixelsOnFaces::PixelsOnFaces(const Scene& scene, const PixelReceivers& pixels,
                              const FaceChoice& choice, int threads,
-                             Progress& progress)
+                             const Watch& watch)
     : PixelReceivers(pixels.width(), pixels.height()),
       pixels_(pixels),
       faces_(pixels.width(), pixels.height(), 0) {
   std::vector<FoundFaces> found(static_cast<std::size_t>(height()));
+  Progress progress(found.size(), "rows", watch);
   ForEachInParallel(found.size(), threads, progress, [&](std::size_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < width(); ++x) {

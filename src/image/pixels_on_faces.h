@@ -10,7 +10,7 @@
 #include "truelux/scene.h"
 
 #include "image/pixel_receivers.h"
-#include "run/progress.h"
+#include "run/watch.h"
 #include "text/face_choice.h"
 
 namespace truelux {
@@ -19,10 +19,10 @@ namespace truelux {
 /// keeps the face that it shows.
 class PixelsOnFaces : public PixelReceivers {
  public:
-  /// Finds all faces. pixels: must outlive the object. Counts rows of pixels in
-  /// `progress`. Throws Stopped.
+  /// Finds all faces. pixels: must outlive the object. Throws Stopped if `watch`
+  /// asks for it.
   PixelsOnFaces(const Scene& scene, const PixelReceivers& pixels,
-                const FaceChoice& choice, int threads, Progress& progress);
+                const FaceChoice& choice, int threads, const Watch& watch);
 
   /// How faces were found.
   [[nodiscard]] const FoundFaces& found() const { return found_; }

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "truelux/render.h"
 
-#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <utility>
-#include <variant>
+#include <vector>
 
-#include "image/kink_jumps.h"
 #include "image/picture_view.h"
 #include "image/pixels_on_faces.h"
-#include "image/render_pixels.h"
+#include "image/render_frame.h"
 #include "run/parallel.h"
 #include "text/face_choice.h"
 
@@ -18,8 +16,7 @@ namespace truelux {
 namespace {
 
 void Check(const Oracle& oracle, const RenderOptions& options) {
-  if (options.threads < 1 || options.threads > kMaxThreads)
-    throw std::invalid_argument("threads: expected 1 to 1024");
+  CheckThreads(options.threads);
   if (options.wishes.differences &&
       oracle.options().engine == Engine::kAngularSpans) {
     throw std::invalid_argument(
@@ -41,9 +38,8 @@ std::unique_ptr<PixelReceivers> OnOtherFaces(const Scene& scene,
                           ? std::nullopt
                           : words.Parse(*options.on_face, defect);
   if (!choice) throw std::invalid_argument("on_face: " + defect);
-  Progress progress(static_cast<std::uint64_t>(shown.height()), "rows", watch);
   auto pixels = std::make_unique<PixelsOnFaces>(scene, shown, *choice,
-                                                options.threads, progress);
+                                                options.threads, watch);
   const std::string found = FoundFacesText(pixels->found());
   if (!found.empty())
     notes.push_back({Severity::kNote, "", 0, "on_face: " + found});
@@ -67,30 +63,16 @@ Rendering Render(const Oracle& oracle, const PictureSubject& subject,
   Check(oracle, options);
   const Watch watch = {.stop = oracle.options().stop, .hook = options.progress};
   PictureFrame frame = FrameOf(oracle.scene(), subject);
-  PictureSize whole = size;
-  if (whole.width < 1 || whole.height < 0)
+  if (size.width < 1 || size.height < 0)
     throw std::invalid_argument("size: expected at least one pixel");
-  if (whole.height == 0 && std::holds_alternative<Camera>(subject))
-    whole.height = whole.width;
-  if (whole.height > 0) CheckPixelCount(whole.width, whole.height);
   Rendering rendering;
   rendering.notes = std::move(frame.notes);
-  const auto shown = ReceiversOf(oracle.scene(), frame, whole);
+  const auto shown = ReceiversOf(oracle.scene(), frame, size);
   const auto other =
       OnOtherFaces(oracle.scene(), *shown, options, watch, rendering.notes);
   const PixelReceivers& receivers = other ? *other : *shown;
-  {
-    Progress progress(static_cast<std::uint64_t>(receivers.width()) *
-                          static_cast<std::uint64_t>(receivers.height()),
-                      "pixels", watch);
-    rendering.pixels = RenderPixels(oracle, receivers, options.wishes,
-                                    options.threads, nullptr, progress);
-  }
-  const auto* surface = std::get_if<SurfaceFrame>(&frame.frame);
-  if (options.wishes.gradients && surface != nullptr) {
-    rendering.pixels.kinks =
-        FindKinkJumps(oracle, *surface, receivers, options.threads, watch);
-  }
+  rendering.pixels = RenderFrame(oracle, frame, receivers, options.wishes,
+                                 options.threads, nullptr, watch);
   rendering.receivers = AllOf(receivers);
   return rendering;
 }

@@ -9,6 +9,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 #include <optional>
+#include <stdexcept>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -26,6 +27,11 @@ tbb::task_arena& ArenaOf(int threads) {
 }
 
 }  // namespace
+
+void CheckThreads(int threads) {
+  if (threads < 1 || threads > kMaxThreads)
+    throw std::invalid_argument("threads: expected 1 to 1024");
+}
 
 int DefaultThreads() {
   return std::min(kMaxThreads, tbb::info::default_concurrency());

@@ -18,6 +18,9 @@ namespace truelux {
 /// More threads would only cost memory.
 inline constexpr int kMaxThreads = 1024;
 
+/// Throws std::invalid_argument unless it is 1 .. kMaxThreads.
+void CheckThreads(int threads);
+
 /// The number of threads that suits this computer, at most kMaxThreads.
 int DefaultThreads();
 

@@ -3,6 +3,7 @@
 // nothing over- or underflows, and never says what is not so.
 #include "exact/doubled.h"
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -131,16 +132,18 @@ void TakeOrders(int exponent, Tally& order) {
   }
 }
 
+/// Of ReceiverSide, VertexSide, PlaneSide and EdgeOrder at a scale.
+std::array<Tally, 4> TalliesAt(int exponent) {
+  std::array<Tally, 4> tallies;
+  TakeSides(exponent, tallies[0], tallies[1], tallies[2]);
+  TakeOrders(exponent, tallies[3]);
+  return tallies;
+}
+
 TEST(Doubled, TellsNearTiesWhereNothingOverOrUnderflows) {
   // The products of EdgeOrder have degree 6, and 2^-500 is lost at each.
   for (const int exponent : {-40, 0, 40, 120}) {
-    Tally receiver;
-    Tally vertex;
-    Tally plane;
-    Tally order;
-    TakeSides(exponent, receiver, vertex, plane);
-    TakeOrders(exponent, order);
-    for (const Tally& tally : {receiver, vertex, plane, order}) {
+    for (const Tally& tally : TalliesAt(exponent)) {
       EXPECT_GT(tally.ties, kSamples / 8) << exponent;
       EXPECT_GT(tally.near_ties, kSamples / 3) << exponent;
       EXPECT_EQ(tally.answered, tally.near_ties) << exponent;
@@ -150,13 +153,7 @@ TEST(Doubled, TellsNearTiesWhereNothingOverOrUnderflows) {
 
 TEST(Doubled, IsSilentWhereItCannotTell) {
   for (const int exponent : {-1040, -600, -300, 200, 400, 1000}) {
-    Tally receiver;
-    Tally vertex;
-    Tally plane;
-    Tally order;
-    TakeSides(exponent, receiver, vertex, plane);
-    TakeOrders(exponent, order);
-    for (const Tally& tally : {receiver, vertex, plane, order}) {
+    for (const Tally& tally : TalliesAt(exponent)) {
       EXPECT_LE(tally.answered, tally.near_ties) << exponent;
       if (exponent < -500 || exponent > 350) {
         EXPECT_EQ(tally.answered, 0) << exponent;

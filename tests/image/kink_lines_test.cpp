@@ -11,9 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include "truelux/render.h"
 #include "truelux/rendered_pixels.h"
 
-#include "image/extra_picture.h"
 #include "image/kink_jumps.h"
 
 namespace truelux {

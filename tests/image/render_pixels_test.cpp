@@ -15,9 +15,9 @@
 #include <gtest/gtest.h>
 
 #include "truelux/derivatives.h"
+#include "truelux/render.h"
 
 #include "explain/shadow_class.h"
-#include "image/extra_picture.h"
 #include "image/picture_view.h"
 #include "support/scene_text.h"
 

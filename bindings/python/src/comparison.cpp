@@ -4,7 +4,6 @@
 #include <limits>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,10 +24,13 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<Receiver> AllOf(const Receivers& receivers) {
-  std::vector<Receiver> all;
-  receivers.Fill(0, receivers.size(), all);
-  return all;
+/// A candidate without values. C: Candidate or GradientCandidate.
+template <class C>
+C WithReceivers(const Receivers& receivers, const ChannelNumbers& channels) {
+  C candidate;
+  receivers.Fill(0, receivers.size(), candidate.receivers);
+  candidate.channels = channels;
+  return candidate;
 }
 
 /// What reports of both kinds bring along. errors: by receiver.
@@ -70,14 +72,14 @@ CompareOptions OptionsOf(const Choice& choice, double tolerance,
   return options;
 }
 
-/// f(), with what the library finds wrong in arguments as Python's exception.
+/// compare(options), which Ctrl-C ends.
 template <class F>
-auto Checked(const F& f) {
-  try {
-    return f();
-  } catch (const std::invalid_argument& defect) {
-    throw InputError({defect.what()});
-  }
+auto Run(CompareOptions options, const F& compare) {
+  return Checked([&] {
+    const Interruptible interruptible;
+    options.stop = interruptible.flag();
+    return compare(options);
+  });
 }
 
 /// values: (n, 3); of form factors the first column counts.
@@ -87,19 +89,17 @@ py::dict CompareValues(const SharedScene& scene, const Choice& choice,
                        const ChannelNumbers& channels, bool has_form_factors,
                        double tolerance, const std::string& name,
                        const py::object& told) {
-  Candidate candidate;
-  candidate.receivers = AllOf({points, normals, on_face, scene.scene});
-  candidate.channels = channels;
+  auto candidate = WithReceivers<Candidate>(
+      {points, normals, on_face, scene.scene}, channels);
   candidate.has_form_factors = has_form_factors;
   const auto rows = values.unchecked<2>();
   for (py::ssize_t i = 0; i < rows.shape(0); ++i)
     candidate.values.push_back({rows(i, 0), rows(i, 1), rows(i, 2)});
-  CompareOptions options = OptionsOf(choice, tolerance, name, told);
-  const CandidateComparison result = Checked([&] {
-    const Interruptible interruptible;
-    options.stop = interruptible.flag();
-    return Compare(scene.scene, candidate, options);
-  });
+  const CandidateComparison result =
+      Run(OptionsOf(choice, tolerance, name, told),
+          [&](const CompareOptions& options) {
+            return Compare(scene.scene, candidate, options);
+          });
   py::dict report = CommonPart(result);
   py::array_t<double> truth({rows.shape(0), py::ssize_t{3}});
   std::copy_n(result.truth.front().data(), 3 * result.truth.size(),
@@ -116,9 +116,8 @@ py::dict CompareSlopes(const SharedScene& scene, const Choice& choice,
                        const py::array_t<double>& values,
                        const ChannelNumbers& channels, double tolerance,
                        const std::string& name, const py::object& told) {
-  GradientCandidate candidate;
-  candidate.receivers = AllOf({points, normals, on_face, scene.scene});
-  candidate.channels = channels;
+  auto candidate = WithReceivers<GradientCandidate>(
+      {points, normals, on_face, scene.scene}, channels);
   const auto rows = values.unchecked<3>();
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
     GradientRow row;
@@ -127,12 +126,11 @@ py::dict CompareSlopes(const SharedScene& scene, const Choice& choice,
                                           rows(i, c, 2)};
     candidate.values.push_back(row);
   }
-  CompareOptions options = OptionsOf(choice, tolerance, name, told);
-  const GradientComparison result = Checked([&] {
-    const Interruptible interruptible;
-    options.stop = interruptible.flag();
-    return CompareGradients(scene.scene, candidate, options);
-  });
+  const GradientComparison result =
+      Run(OptionsOf(choice, tolerance, name, told),
+          [&](const CompareOptions& options) {
+            return CompareGradients(scene.scene, candidate, options);
+          });
   py::dict report = CommonPart(result);
   py::array_t<double> truth({rows.shape(0), py::ssize_t{3}, py::ssize_t{3}});
   auto out = truth.mutable_unchecked<3>();

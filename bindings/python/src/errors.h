@@ -30,6 +30,16 @@ class InputError : public std::runtime_error {
 [[nodiscard]] pybind11::str TextOf(const std::string& bytes);
 [[nodiscard]] pybind11::list TextsOf(const std::vector<std::string>& all);
 
+/// f(), where what the library finds wrong in arguments is an InputError.
+template <class F>
+auto Checked(const F& f) {
+  try {
+    return f();
+  } catch (const std::invalid_argument& defect) {
+    throw InputError({defect.what()});
+  }
+}
+
 /// Adds truelux.Error to the module and translates exceptions of the library.
 void BindErrors(pybind11::module_& module);
 

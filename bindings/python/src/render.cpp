@@ -113,13 +113,10 @@ Rendering RenderScene(const SharedScene& scene, const Choice& choice,
   options.threads = choice.ThreadCount();
   options.progress = HookOf(told);
   options.wishes.bounds = bound;
-  const auto wished = [&also](ExtraPicture extra) {
-    return std::find(also.begin(), also.end(), Name(extra)) != also.end();
-  };
-  options.wishes.differences = wished(ExtraPicture::kError);
-  options.wishes.arcs = wished(ExtraPicture::kArcs);
-  options.wishes.classes = wished(ExtraPicture::kClass);
-  options.wishes.gradients = wished(ExtraPicture::kGradient);
+  for (const ExtraPicture extra : kExtraPictures) {
+    if (std::find(also.begin(), also.end(), Name(extra)) != also.end())
+      Wish(extra, options.wishes);
+  }
   PictureSubject subject;
   if (surface) {
     subject = *surface;
@@ -127,13 +124,11 @@ Rendering RenderScene(const SharedScene& scene, const Choice& choice,
     const auto& [eye, target, up, fov] = camera;
     subject = Camera{PointOf(eye), PointOf(target), {up[0], up[1], up[2]}, fov};
   }
-  try {
+  return Checked([&] {
     const Interruptible interruptible;
     const Oracle oracle(scene.prepared, choice.Options(interruptible.flag()));
     return Render(oracle, subject, {width, height}, options);
-  } catch (const std::invalid_argument& defect) {
-    throw InputError({defect.what()});
-  }
+  });
 }
 
 /// By its name: "luminance", "r", "g", "b".

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import re
 import sys
 import warnings
 from pathlib import Path
@@ -13,7 +12,7 @@ import numpy as np
 
 import truelux
 
-from .arrays import error, triples
+from .arrays import error, faces, receivers, thread_count, triples
 from .files import suffix_of, whole_file
 from .tables import (VALUES, check_output, quantity_of, read_maps,
                      read_receivers, read_values, write_arrays)
@@ -126,27 +125,18 @@ def _evaluate(oracle, arguments, points, normals, on_face) -> dict:
             **{name: getattr(d, name) for name in names}}
 
 
-def _face_numbers(scene, choice, points, normals) -> np.ndarray:
+def _face_numbers(scene, choice, points, normals, threads) -> np.ndarray:
     """Numbers for what --on-face or a column says, over the leading shape."""
-    shape = np.broadcast_shapes(points.shape[:-1], normals.shape[:-1])
-    if choice is None:
-        return np.zeros(shape, dtype=np.int64)
-    if isinstance(choice, str):
-        if choice.isascii() and choice.isdecimal():
-            return np.full(shape, min(int(choice[:12]), 2**40))
-        name = None if choice == "auto" else choice
-        numbers = scene.face_near(points, normals, name=name)
-        if name is not None and numbers.size and not numbers.any():
-            raise error(f"on_face: no face with an area has the name '{name}'")
+    points, normals, shape = receivers(points, normals)
+    if isinstance(choice, np.ndarray) and choice.dtype == object:  # by rows
+        numbers = np.zeros(len(choice), dtype=np.int64)
+        for cell in dict.fromkeys(choice):
+            rows = choice == cell
+            numbers[rows] = _face_numbers(scene, cell or None, points[rows],
+                                          normals[rows], threads)
         return numbers
-    if choice.dtype != object:
-        return choice
-    numbers = np.zeros(len(choice), dtype=np.int64)
-    for cell in dict.fromkeys(choice):
-        rows = choice == cell
-        numbers[rows] = _face_numbers(scene, cell or None, points[rows],
-                                      normals[rows])
-    return numbers
+    numbers = faces(scene, choice, points, normals, shape, threads)
+    return np.broadcast_to(numbers, points.shape[:1]).reshape(shape)
 
 
 def _receivers(scene, arguments):
@@ -167,8 +157,9 @@ def _receivers(scene, arguments):
     choice = column if arguments.on_face is None else arguments.on_face
     if isinstance(choice, str) and choice == "none":
         choice = None
-    return (points, normals, _face_numbers(scene, choice, points, normals),
-            covered, origin)
+    return (points, normals,
+            _face_numbers(scene, choice, points, normals,
+                          thread_count(arguments.threads)), covered, origin)
 
 
 def _compare(scene, arguments) -> int:
@@ -189,9 +180,8 @@ def _compare(scene, arguments) -> int:
     text = str(report)
     if covered is not None:
         rows, texels = np.nonzero(covered)
-        text = re.sub(r"(?m)^( *\d+\. )receiver (\d+):",
-                      lambda m: f"{m[1]}px {texels[int(m[2])]}, py "
-                      f"{rows[int(m[2])]}:", text)
+        text = report.text_with(
+            lambda i: f"px {texels[i]}, py {rows[i]}")
     print(text, end="")
     if arguments.json is not None:
         with whole_file(arguments.json) as file:

@@ -60,11 +60,8 @@ class Comparison:
         self.diagnosis: str = in_python(found["diagnosis"])
         self.worst = [(_index(i, shape), reason)
                       for i, reason in found["worst"]]
-        # Reports count receivers one after the other.
-        self._text = re.sub(
-            r"(?m)^( *\d+\. receiver )(\d+):",
-            lambda m: f"{m[1]}{_index_text(int(m[2]), shape)}:",
-            in_python(found["text"]))
+        self._shape = shape
+        self._text = in_python(found["text"])
         self._json = in_python(found["json"])
 
     def to_dict(self) -> dict:
@@ -81,8 +78,22 @@ class Comparison:
     def __bool__(self) -> bool:
         return self.passes
 
+    def text_with(self, place) -> str:
+        """The report of truelux compare, with other words for its receivers.
+
+        Parameters
+        ----------
+        place : callable
+            From a receiver's index into the flattened leading shape to what the
+            report calls it.
+        """
+        return re.sub(r"(?m)^( *\d+\. )receiver (\d+):",
+                      lambda m: f"{m[1]}{place(int(m[2]))}:", self._text)
+
     def __str__(self) -> str:
-        return self._text
+        if len(self._shape) < 2:
+            return self._text
+        return self.text_with(lambda i: f"receiver {_index(i, self._shape)}")
 
     def __repr__(self) -> str:
         failing = int(self.error.size - np.count_nonzero(self.within))
@@ -94,10 +105,6 @@ class Comparison:
 
 def _index(i: int, shape: tuple) -> tuple:
     return tuple(int(k) for k in np.unravel_index(i, shape)) if shape else ()
-
-
-def _index_text(i: int, shape: tuple) -> str:
-    return str(_index(i, shape)) if len(shape) > 1 else str(i)
 
 
 def compare(scene: Scene | Oracle, points, normals, values, *,

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "visibility/edges/bin_axis.h"
 #include "visibility/edges/image_box.h"
 
 namespace truelux {
@@ -76,18 +77,16 @@ class PartBins {
   class Axis {
    public:
     void Start(double min, double max, std::size_t bins, std::size_t words) {
-      bins_ = bins;
+      axis_.Start(min, max, bins);
       words_ = words;
-      origin_ = min;
-      scale_ = static_cast<double>(bins) / (max - min);
       begin_.assign(bins * words, 0);
       end_.assign(bins * words, 0);
     }
 
     void Mark(std::size_t box, double min, double max) {
       const std::uint64_t bit = std::uint64_t{1} << (box % kWordBits);
-      begin_[Bin(min) * words_ + box / kWordBits] |= bit;
-      end_[Bin(max) * words_ + box / kWordBits] |= bit;
+      begin_[axis_.Bin(min) * words_ + box / kWordBits] |= bit;
+      end_[axis_.Bin(max) * words_ + box / kWordBits] |= bit;
     }
 
     /// Makes the sets of the bins cumulative.
@@ -100,28 +99,17 @@ class PartBins {
 
     /// The boxes that may begin at x or before.
     [[nodiscard]] const std::uint64_t* BeginUpTo(double x) const {
-      return begin_.data() + Bin(x) * words_;
+      return begin_.data() + axis_.Bin(x) * words_;
     }
 
     /// The boxes that may end at x or after.
     [[nodiscard]] const std::uint64_t* EndFrom(double x) const {
-      return end_.data() + Bin(x) * words_;
+      return end_.data() + axis_.Bin(x) * words_;
     }
 
    private:
-    /// The bin of a coordinate, clamped to the frame. Not decreasing in x, for
-    /// any origin and scale: what begins at or before x has no later bin.
-    [[nodiscard]] std::size_t Bin(double x) const {
-      const double position = (x - origin_) * scale_;
-      if (!(position > 0)) return 0;  // NaN, too: 0 times infinity
-      const auto last = static_cast<double>(bins_ - 1);
-      return position >= last ? bins_ - 1 : static_cast<std::size_t>(position);
-    }
-
-    std::size_t bins_ = 1;
+    BinAxis axis_;
     std::size_t words_ = 0;
-    double origin_ = 0;
-    double scale_ = 0;
     std::vector<std::uint64_t> begin_;  ///< bins_ sets of words_ words
     std::vector<std::uint64_t> end_;
   };

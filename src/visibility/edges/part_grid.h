@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "visibility/edges/bin_axis.h"
 #include "visibility/edges/image_box.h"
 
 namespace truelux {
@@ -30,10 +31,9 @@ class PartGrid {
     if (boxes.size() < kFewest) return false;
     side_ = static_cast<std::size_t>(std::clamp(
         std::sqrt(static_cast<double>(boxes.size())), 1.0, kMostSide));
-    if (!x_.Start(frame.x_min(), frame.x_max(), side_) ||
-        !y_.Start(frame.y_min(), frame.y_max(), side_)) {
-      return false;
-    }
+    x_.Start(frame.x_min(), frame.x_max(), side_);
+    y_.Start(frame.y_min(), frame.y_max(), side_);
+    if (!x_.IsProper() || !y_.IsProper()) return false;
     wide_.clear();
     ends_.assign(side_ * side_ + 1, 0);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -68,29 +68,6 @@ class PartGrid {
   /// in kWideShare may not be.
   static constexpr std::size_t kMostCells = 32;
   static constexpr std::size_t kWideShare = 64;
-
-  /// One direction of the frame.
-  struct Axis {
-    /// False if it has no length, or no end.
-    bool Start(double min, double max, std::size_t bins) {
-      last = static_cast<double>(bins - 1);
-      origin = min;
-      scale = static_cast<double>(bins) / (max - min);
-      return scale > 0 && scale < HUGE_VAL;
-    }
-
-    /// The bin of a coordinate, clamped to the frame. Not decreasing in x, for
-    /// any origin and scale: boxes that share a point share a bin.
-    [[nodiscard]] std::size_t Bin(double x) const {
-      const double position = (x - origin) * scale;
-      if (!(position > 0)) return 0;  // NaN, too: 0 times infinity
-      return static_cast<std::size_t>(std::min(position, last));
-    }
-
-    double last = 0;
-    double origin = 0;
-    double scale = 0;
-  };
 
   /// From the first to the last bin along both axes.
   struct Cells {
@@ -146,8 +123,8 @@ class PartGrid {
   }
 
   std::size_t side_ = 1;  ///< cells along an axis
-  Axis x_;
-  Axis y_;
+  BinAxis x_;
+  BinAxis y_;
   std::vector<std::uint32_t> wide_;     ///< boxes in no cell, ascending
   std::vector<std::uint32_t> ends_;     ///< of the cells, in entries_
   std::vector<std::uint32_t> entries_;  ///< the boxes of cell after cell

@@ -100,6 +100,9 @@ class IgnoredFacetCache {
   /// on_face: as in Receiver.
   void SetOnFace(FaceNumber on_face);
 
+  /// As it was set last.
+  [[nodiscard]] FaceNumber on_face() const { return on_face_; }
+
   /// Whether a facet is not there.
   bool IsIgnored(FacetId facet) { return on_face_.valid() && Ask(facet); }
 

@@ -10,13 +10,15 @@
 
 #include "truelux/geometry.h"
 
+#include "exact/filter.h"
 #include "exact/lanes.h"
 #include "scene/index/box.h"
 
 namespace truelux {
 
 /// The half-line of points origin + t direction, t >= 0, up to a t that may be
-/// lowered. All members require a RoundUpward object in the calling thread.
+/// lowered; or all half-lines whose directions are within a bound. All members
+/// require a RoundUpward object in the calling thread.
 class RayBoxes {
  public:
   /// origin: finite. direction: its largest component in absolute value is
@@ -27,7 +29,7 @@ class RayBoxes {
     for (std::size_t k = 0; k < 3; ++k) {
       const double size = std::fabs(along[k]);
       if (along[k] == 0) {
-        across_[across_count_++] = {from[k], k};
+        across_[across_count_++] = {from[k], from[k], k};
       } else if (size >= kLeast) {
         // -(1 / -size) is rounded downwards.
         slabs_[slab_count_++] = {from[k], 1 / size, -(1 / -size),
@@ -35,6 +37,29 @@ class RayBoxes {
                                  along[k] > 0 ? k + 3 : k};
       }
       // Any other component moves the ray too little to tell boxes apart.
+    }
+  }
+
+  /// The rays of all directions whose components differ from the given ones by
+  /// at most direction.error. end: none is asked for beyond this t.
+  RayBoxes(const Point3& origin, const ApproxVector& direction, double end)
+      : end_(end) {
+    const std::array<double, 3> from{origin.x, origin.y, origin.z};
+    const std::array<double, 3> along{direction.x, direction.y, direction.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double size = std::fabs(along[k]);
+      const double least = -(direction.error - size);
+      const std::size_t near = along[k] > 0 ? k : k + 3;
+      const std::size_t far = along[k] > 0 ? k + 3 : k;
+      if (least >= kLeast) {
+        slabs_[slab_count_++] = {from[k], 1 / least,
+                                 -(1 / -(size + direction.error)), near, far};
+        continue;
+      }
+      // It may turn either way, but not far before the end.
+      const double width = (size + direction.error) * end;
+      if (width < HUGE_VAL)
+        across_[across_count_++] = {from[k] + width, -(width - from[k]), k};
     }
   }
 
@@ -56,9 +81,10 @@ class RayBoxes {
     std::size_t far;
   };
 
-  /// An axis along which the ray stands still.
+  /// An axis along which the ray stands still, or all but does.
   struct Across {
-    double origin;
+    double most;
+    double least;
     std::size_t row;
   };
 
@@ -99,8 +125,8 @@ inline unsigned RayBoxes::Kept(const FourBoxes& boxes) const {
     const Across& across = across_[i];
     Load(boxes.rows[across.row], near);
     Load(boxes.rows[across.row + 3], far);
-    outside |= near > across.origin;
-    outside |= far < across.origin;
+    outside |= near > across.most;
+    outside |= far < across.least;
   }
   outside |= exit < 0.0;
   outside |= exit + minus_entry < 0.0;

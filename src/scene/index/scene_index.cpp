@@ -19,6 +19,7 @@ SceneIndex::SceneIndex(const Scene& scene) : pieces_(scene) {
     box_.Include(boxes[piece]);
   }
   tree_ = TriangleTree(boxes.values());
+  silhouettes_ = SilhouetteTree(scene, pieces_);
 }
 
 const SceneIndex& SceneIndex::Of(const Scene& scene) {

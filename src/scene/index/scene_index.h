@@ -8,6 +8,7 @@
 
 #include "scene/index/box.h"
 #include "scene/index/convex_pieces.h"
+#include "scene/index/silhouette_tree.h"
 #include "scene/index/triangle_tree.h"
 
 namespace truelux {
@@ -26,12 +27,18 @@ class SceneIndex {
   /// The boxes of the pieces.
   [[nodiscard]] const TriangleTree& tree() const { return tree_; }
 
+  /// The edges of the pieces, for what may be seen as a silhouette.
+  [[nodiscard]] const SilhouetteTree& silhouettes() const {
+    return silhouettes_;
+  }
+
   /// Of all pieces; empty if there are none.
   [[nodiscard]] const Box& box() const { return box_; }
 
  private:
   ConvexPieces pieces_;
   TriangleTree tree_;
+  SilhouetteTree silhouettes_;
   Box box_;
 };
 

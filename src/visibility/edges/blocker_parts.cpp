@@ -62,7 +62,6 @@ bool BlockerParts<Geometry>::IsApart(const Cone& cone, const ImageBox& box) {
   return true;
 }
 
-/// Whether a cone, whose box is given, contains every cone of the source.
 template <class Geometry>
 bool BlockerParts<Geometry>::HidesAll(Cone& cone, const ImageBox& box) {
   if (!box.Contains(source_.box())) return false;
@@ -72,9 +71,6 @@ bool BlockerParts<Geometry>::HidesAll(Cone& cone, const ImageBox& box) {
   });
 }
 
-/// Makes the part of a piece that lies in front of the source. box: of the
-/// piece before, of the part after. False if no part of the piece can hide
-/// anything.
 template <class Geometry>
 bool BlockerParts<Geometry>::MakePart(PieceId piece, Part& part,
                                       ImageBox& box) {

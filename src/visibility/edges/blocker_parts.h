@@ -40,6 +40,14 @@ class BlockerParts {
   /// its box.
   bool MayBlock(PieceId piece, ImageBox& box);
 
+  /// Makes the part of a piece that lies in front of the source. box: of the
+  /// piece before, of the part after. False if no part of the piece can hide
+  /// anything. Requires MayBlock.
+  bool MakePart(PieceId piece, Part& part, ImageBox& box);
+
+  /// Whether a cone, whose box is given, contains every cone of the source.
+  bool HidesAll(Cone& cone, const ImageBox& box);
+
   /// Adds a piece that may block the source. Ignores those that cannot hide
   /// any of it, and pieces whose plane contains r. box: from MayBlock.
   void Add(PieceId piece, const ImageBox& box);
@@ -68,9 +76,7 @@ class BlockerParts {
   }
 
  private:
-  bool MakePart(PieceId piece, Part& part, ImageBox& box);
   bool IsApart(const Cone& cone, const ImageBox& box);
-  bool HidesAll(Cone& cone, const ImageBox& box);
   template <class Finder>
   bool Drop(const Finder& finder);
 

@@ -8,6 +8,8 @@
 #include "base/stop.h"
 #include "scene/emitters.h"
 #include "scene/scene_access.h"
+#include "visibility/chain/chain_contour.h"
+#include "visibility/chain/shared_edges.h"
 #include "visibility/edges/blocker_parts.h"
 #include "visibility/edges/cone.h"
 #include "visibility/edges/contour_writer.h"
@@ -18,8 +20,17 @@
 
 namespace truelux {
 
-ContourEngine::ContourEngine(const Scene& scene)
+namespace {
+
+/// With more inner edges towards a source its chain is made. A chain costs
+/// about as much as 100 blockers: the search of the tree and the first depth.
+constexpr std::size_t kManyInnerEdges = 300;
+
+}  // namespace
+
+ContourEngine::ContourEngine(const Scene& scene, ContourPath path)
     : scene_(scene),
+      path_(path),
       index_(SceneIndex::Of(scene)),
       triangle_normals_(
           FilteredTriangleNormals(scene.vertices(), scene.triangles())) {
@@ -57,12 +68,20 @@ class BasicContourBuilder<kKind>::Impl {
               source_sides_),
         join_(engine.scene(), engine.pieces(), geometry_),
         writer_(engine.scene(), engine.pieces(), geometry_),
-        ignored_(engine.scene()) {}
+        ignored_(engine.scene()),
+        chain_(engine.scene(), engine.index(), geometry_, cones_, source_,
+               source_sides_, blockers_, ignored_,
+               engine.path() == ContourPath::kCheckedChain) {}
+
+  [[nodiscard]] const ChainCounts& chain_counts() const {
+    return chain_.counts();
+  }
 
   void StartBlock(std::span<const Receiver> receivers) {
     in_block_ = receivers.size() > 1;
     if (!in_block_) return;
     cuts_.Clear();
+    shared_edges_.Clear();
     block_box_ = {};
     block_normal_ = receivers.front().normal;
     for (const Receiver& receiver : receivers) {
@@ -89,15 +108,15 @@ class BasicContourBuilder<kKind>::Impl {
         const ContourEngine::Emitter& emitter = engine_.emitters()[e];
         if (!StartSource(emitter.facet)) continue;
         // What a block shares leaves out what is below the horizon.
-        AddPieces(emitter.shafts, query,
-                  query.whole_sphere ? nullptr : CutOf(e));
+        const bool shares = in_block_ && !query.whole_sphere;
+        FindArcs(emitter.shafts, query, shares ? e : EmitterId());
         FinishSource(emitter.facet);
       }
     } else {
       const FaceId face = IndexOf(query.only_source);
       for (const FacetId f : FacetsOf(FacesOf(engine_.scene())[face])) {
         if (!StartSource(f)) continue;
-        AddPieces(engine_.ShaftsTo(f), query, nullptr);
+        FindArcs(engine_.ShaftsTo(f), query, EmitterId());
         FinishSource(f);
       }
     }
@@ -139,18 +158,57 @@ class BasicContourBuilder<kKind>::Impl {
     return true;
   }
 
-  /// Adds the blockers that lie towards a source. cut: null for none.
-  void AddPieces(const ShaftSource& shafts, const ContourQuery& query,
-                 const TreeCut* cut) {
+  /// Finds the arcs of a source behind what lies towards it. emitter: the
+  /// source, if a block of receivers shares what it finds; else none.
+  void FindArcs(const ShaftSource& shafts, const ContourQuery& query,
+                EmitterId emitter) {
     std::optional<Vector3> normal;
     if (!query.whole_sphere) normal = query.receiver.normal;
     const Shaft shaft(shafts, Box::Of(query.receiver.position), normal);
-    const auto add = [this](int piece) { AddPiece(PieceId(piece)); };
-    if (cut == nullptr) {
-      engine_.tree().Visit(shaft, add);
-    } else {
-      engine_.tree().Visit(shaft, *cut, add);
+    if (UsesChain(shaft)) {
+      FindArcsByChain(shaft, emitter);
+      return;
     }
+    const auto add = [this](int piece) { AddPiece(PieceId(piece)); };
+    if (emitter.valid()) {
+      engine_.tree().Visit(shaft, CutOf(emitter), add);
+    } else {
+      engine_.tree().Visit(shaft, add);
+    }
+    arcs_.AppendArcs(arcs_of_all_);
+    blocker_count_ += blockers_.parts().size();
+  }
+
+  /// Whether the chain is the cheaper path. It is where meshes lie towards the
+  /// source: most of their edges are inner. How receivers are grouped does not
+  /// matter, since it must not change what is summed in double.
+  [[nodiscard]] bool UsesChain(const Shaft& shaft) const {
+    if (kKind == PredicateKind::kUnfiltered) return false;
+    switch (engine_.path()) {
+      case ContourPath::kBlockers:
+        return false;
+      case ContourPath::kChain:
+      case ContourPath::kCheckedChain:
+        return true;
+      case ContourPath::kByCost:
+        break;
+    }
+    return engine_.index().silhouettes().CountNear(shaft) >= kManyInnerEdges;
+  }
+
+  void FindArcsByChain(const Shaft& shaft, EmitterId emitter) {
+    if (!emitter.valid()) {
+      chain_.AppendArcs(shaft, nullptr, arcs_of_all_);
+      return;
+    }
+    shared_edges_.Cover(engine_.emitters().size());
+    if (!shared_edges_.Has(emitter)) shared_edges_.Renew(emitter).Start();
+    SharedEdges& shared = shared_edges_[emitter];
+    chain_.AppendArcs(shaft,
+                      shared.Get(engine_.index().silhouettes(),
+                                 BlockShaft(emitter), block_box_),
+                      arcs_of_all_);
+    shared.Measure(chain_.looked_at());
   }
 
   void AddPiece(PieceId piece) {
@@ -161,8 +219,6 @@ class BasicContourBuilder<kKind>::Impl {
   }
 
   void FinishSource(FacetId facet) {
-    arcs_.AppendArcs(arcs_of_all_);
-    blocker_count_ += blockers_.parts().size();
     ends_.push_back({facet, arcs_of_all_.size()});
   }
 
@@ -180,16 +236,17 @@ class BasicContourBuilder<kKind>::Impl {
     arcs_of_all_.resize(kept);
   }
 
-  /// What the block's receivers share; null without a block.
-  const TreeCut* CutOf(EmitterId emitter) {
-    if (!in_block_) return nullptr;
+  /// Holds the shafts of all receivers of the block.
+  [[nodiscard]] Shaft BlockShaft(EmitterId emitter) const {
+    return {engine_.emitters()[emitter].shafts, block_box_, block_normal_};
+  }
+
+  /// What the block's receivers share.
+  const TreeCut& CutOf(EmitterId emitter) {
     cuts_.Cover(engine_.emitters().size());
-    if (!cuts_.Has(emitter)) {
-      engine_.tree().Narrow(
-          Shaft(engine_.emitters()[emitter].shafts, block_box_, block_normal_),
-          cuts_.Renew(emitter));
-    }
-    return &cuts_[emitter];
+    if (!cuts_.Has(emitter))
+      engine_.tree().Narrow(BlockShaft(emitter), cuts_.Renew(emitter));
+    return cuts_[emitter];
   }
 
   const ContourEngine& engine_;
@@ -205,6 +262,7 @@ class BasicContourBuilder<kKind>::Impl {
   std::vector<SourceEnd> ends_;
   std::vector<bool> dropped_;  ///< per arc
   IgnoredFacetCache ignored_;
+  ChainContour<BasicViewGeometry<kKind>> chain_;
   std::uint64_t source_count_ = 0;
   std::uint64_t blocker_count_ = 0;
 
@@ -212,6 +270,7 @@ class BasicContourBuilder<kKind>::Impl {
   Box block_box_;
   std::optional<Vector3> block_normal_;    ///< if all receivers share it
   StampedTable<TreeCut, EmitterId> cuts_;  ///< of the block
+  StampedTable<SharedEdges, EmitterId> shared_edges_;  ///< likewise
 };
 
 template <PredicateKind kKind>
@@ -239,6 +298,11 @@ template <PredicateKind kKind>
 void BasicContourBuilder<kKind>::Build(const ContourQuery& query,
                                        Contour& contour) {
   impl_->Build(query, contour);
+}
+
+template <PredicateKind kKind>
+const ChainCounts& BasicContourBuilder<kKind>::chain_counts() const {
+  return impl_->chain_counts();
 }
 
 template class BasicContourBuilder<PredicateKind::kExact>;

@@ -16,6 +16,7 @@
 #include "scene/index/scene_index.h"
 #include "scene/index/shaft.h"
 #include "scene/index/triangle_tree.h"
+#include "visibility/chain/chain_counts.h"
 #include "visibility/contour.h"
 
 namespace truelux {
@@ -23,10 +24,22 @@ namespace truelux {
 /// Index into ContourEngine::emitters().
 using EmitterId = Id<struct EmitterTag>;
 
+/// How the engine finds what is visible. Both ways give contours of the same
+/// regions.
+enum class ContourPath {
+  kByCost,    ///< the cheaper one, for each source and receiver
+  kBlockers,  ///< by what each blocker hides (method.md, section 4)
+  kChain,     ///< by the chain of the blockers (method.md, section 5)
+  /// The same, each depth asked of the tree, too: for tests. std::logic_error
+  /// is thrown where it is another one.
+  kCheckedChain,
+};
+
 /// What the contour engine knows of a scene, whatever the receiver. Immutable.
 class ContourEngine {
  public:
-  explicit ContourEngine(const Scene& scene);
+  explicit ContourEngine(const Scene& scene,
+                         ContourPath path = ContourPath::kByCost);
 
   /// The visible contours of the query's sources; query.scene must be the
   /// engine's. One SourceArcs per source of which something is visible. For
@@ -34,6 +47,8 @@ class ContourEngine {
   [[nodiscard]] Contour Build(const ContourQuery& query) const;
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
+
+  [[nodiscard]] ContourPath path() const { return path_; }
 
   [[nodiscard]] const ConvexPieces& pieces() const { return index_.pieces(); }
 
@@ -56,11 +71,14 @@ class ContourEngine {
   /// What the shafts towards a facet have in common.
   [[nodiscard]] ShaftSource ShaftsTo(FacetId facet) const;
 
+  [[nodiscard]] const SceneIndex& index() const { return index_; }
+
   /// The boxes of the pieces.
   [[nodiscard]] const TriangleTree& tree() const { return index_.tree(); }
 
  private:
   Scene scene_;
+  ContourPath path_;
   const SceneIndex& index_;  ///< lives as long as the scene's data
   IdVector<TriangleId, FilteredPlane> triangle_normals_;
   IdVector<EmitterId, Emitter> emitters_;
@@ -85,6 +103,9 @@ class BasicContourBuilder {
 
   /// As ContourEngine::Build, into `contour`, whose storage is used again.
   void Build(const ContourQuery& query, Contour& contour);
+
+  /// Of all Build calls so far.
+  [[nodiscard]] const ChainCounts& chain_counts() const;
 
  private:
   class Impl;

@@ -53,6 +53,17 @@ class SourceCones {
     return is_source_.Contains(piece);
   }
 
+  /// Whether both sides of an edge of the source are source: the pieces on both
+  /// its sides survived the horizon.
+  [[nodiscard]] bool IsDiagonal(EdgeId edge) const {
+    if (edge == kNoEdge) return false;
+    for (EdgeId other = pieces_.NextSameEdge(edge); other != edge;
+         other = pieces_.NextSameEdge(other)) {
+      if (IsSource(pieces_.PieceOf(other))) return true;
+    }
+    return false;
+  }
+
   /// Whether a facet is known, without arithmetic, to lie in the plane of the
   /// source.
   [[nodiscard]] bool IsCoplanar(FacetId facet) const {

@@ -26,17 +26,6 @@ SourceContour<Geometry>::SourceContour(const ConvexPieces& pieces,
       blockers_(blockers),
       source_sides_(sides) {}
 
-/// Whether both sides of a source's edge are source: the pieces on both its
-/// sides survived the horizon.
-template <class Geometry>
-bool SourceContour<Geometry>::IsDiagonal(EdgeId edge) const {
-  for (EdgeId other = pieces_.NextSameEdge(edge); other != edge;
-       other = pieces_.NextSameEdge(other)) {
-    if (source_.IsSource(pieces_.PieceOf(other))) return true;
-  }
-  return false;
-}
-
 /// Whether some other blocker has this edge, too, and lies on its other side.
 /// Seen from r both run counter-clockwise, so that they lie on opposite sides
 /// exactly if they run through the edge in opposite directions.
@@ -67,7 +56,8 @@ void SourceContour<Geometry>::NumberEdges(std::span<Part> parts,
     for (std::size_t k = 0; k < part.cone.size; ++k) {
       const EdgeId edge = part.cone.edges[k];
       const bool left_out =
-          edge != kNoEdge && (are_blockers ? IsInner(edge) : IsDiagonal(edge));
+          are_blockers ? edge != kNoEdge && IsInner(edge)
+                       : source_.IsDiagonal(edge);
       part.candidates[k] = left_out ? CandidateId() : next;
       if (!left_out) ++next;
     }

@@ -57,7 +57,6 @@ class SourceContour {
 
   void NumberCandidates();
   void NumberEdges(std::span<Part> parts, bool are_blockers, CandidateId& next);
-  [[nodiscard]] bool IsDiagonal(EdgeId edge) const;
   bool IsInner(EdgeId edge);
   static bool IsOwnedBefore(const Part& part, const Cover& cover,
                             CandidateId id);

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "visibility/chain/chain_contour.h"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+namespace truelux {
+
+template <class Geometry>
+ChainContour<Geometry>::ChainContour(
+    const Scene& scene, const SceneIndex& index, Geometry& geometry,
+    ConeMaker<Geometry>& cones, SourceCones<Geometry>& source,
+    DirectionSides<Geometry>& source_sides, BlockerParts<Geometry>& blockers,
+    IgnoredFacetCache& ignored, bool checks_depths)
+    : geometry_(geometry),
+      cones_(cones),
+      source_(source),
+      source_sides_(source_sides),
+      blockers_(blockers),
+      checks_depths_(checks_depths),
+      chain_(scene, index, geometry, cones, source, ignored, counts_),
+      depth_(scene, index, geometry, cones, source, blockers, ignored, counts_),
+      sweep_(geometry, cones, blockers, chain_, counts_) {}
+
+/// Notes a depth of a chain edge that has not been swept.
+template <class Geometry>
+void ChainContour<Geometry>::Know(ChainEdgeId id, const State& state) {
+  State& known = states_[id];
+  if (known.is_swept || known.known_at != KnownAt::kNowhere) return;
+  known = state;
+  known_.push_back(id);
+}
+
+template <class Geometry>
+void ChainContour<Geometry>::CheckDepth(const ViewEdge& edge,
+                                        const EdgePosition& position,
+                                        bool on_positive, int depth) {
+  if (depth_.At(edge, position, on_positive, *shaft_) != depth)
+    throw std::logic_error("a depth is not what the tree says");
+}
+
+/// Sweeps the inner side of the edges of a cone of the source.
+template <class Geometry>
+void ChainContour<Geometry>::SweepSource(std::size_t s) {
+  const Part& part = source_.parts()[s];
+  const Cone& cone = part.cone;
+  std::optional<int> at_corner;  // the depth inside, if it is known
+  for (std::size_t k = 0; k < cone.size; ++k) {
+    if (source_.IsDiagonal(cone.edges[k])) {
+      at_corner.reset();
+      continue;
+    }
+    const ViewEdge edge{cone.planes[k], cone.From(k), cone.To(k)};
+    sweep_.Start(edge, ChainEdgeId(),
+                 source_.plane().BoxOfEdge(edge.from, edge.to), kEdgeFrom,
+                 kEdgeTo);
+    if (!at_corner) {
+      at_corner = depth_.At(edge, kEdgeFrom, true, *shaft_);
+      if (depth_.hides_all()) return;
+    }
+    const bool horizon = edge.plane == cones_.horizon();
+    std::optional<EdgePosition> lit;
+    const auto add = [&](const EdgePosition& to) {
+      if (lit) {
+        arcs_->push_back({edge,
+                          {*lit, to, true},
+                          horizon ? PieceId() : cone.piece,
+                          cone.edges[k]});
+      }
+      lit.reset();
+    };
+    at_corner = sweep_.ForEachStretch(
+        *at_corner, 0,
+        [&](const EdgePosition& begin, const EdgePosition&, int depth, int,
+            int) {
+          if (checks_depths_) CheckDepth(edge, begin, true, depth);
+          if (depth != 0) {
+            add(begin);
+          } else if (!lit) {
+            lit = begin;
+          }
+        },
+        [&](const DepthJump& jump, int depth) {
+          if (!jump.is_proper) return;
+          const KnownAt at = jump.leaves ? KnownAt::kEntry : KnownAt::kExit;
+          Know(jump.edge, {false, at, depth, edge.plane, {}});
+        });
+    add(kEdgeTo);
+    if (!sweep_.ends_alone()) at_corner.reset();
+  }
+}
+
+/// Finds where an edge of the chain runs inside the source, in order. False if
+/// nowhere. On an edge of the source that edge has the arcs; on a diagonal,
+/// where both sides are source, the cone on the positive side stands for both.
+template <class Geometry>
+bool ChainContour<Geometry>::FindIntervals(const ViewEdge& edge) {
+  intervals_.clear();
+  const auto parts = source_.parts();
+  const ImageBox box = source_.plane().BoxOfEdge(edge.from, edge.to);
+  for (std::size_t s = 0; s < parts.size(); ++s) {
+    if (!source_.boxes()[s].Meets(box)) continue;
+    const Part& part = parts[s];
+    if (parts.size() > 1) source_sides_.SetBundle(part.cone.bundle);
+    BundleSides& from = source_sides_.Of(edge.from);
+    BundleSides& to = source_sides_.Of(edge.to);
+    const std::uint32_t all = geometry_.BundleMask(part.cone.bundle);
+    if ((from.positive & to.positive) == all) {
+      intervals_.push_back({kEdgeFrom, kEdgeTo});
+      continue;
+    }
+    Cover cover;
+    if (!CoverOf(geometry_, edge, part.cone, from, to, cover)) continue;
+    if (cover.side != Sign::kZero) {
+      const bool is_diagonal =
+          source_.IsDiagonal(part.cone.edges[cover.coincident]);
+      if (!is_diagonal || cover.side != Sign::kPositive) continue;
+      ++counts_.diagonals;
+    }
+    intervals_.push_back({cover.begin, cover.end});
+  }
+  if (intervals_.size() > 1) {
+    std::ranges::sort(intervals_, [&](const Interval& a, const Interval& b) {
+      return ComparePositions(geometry_, edge, a.begin, b.begin) ==
+             Sign::kNegative;
+    });
+  }
+  return !intervals_.empty();
+}
+
+/// Adds the arcs of what of a stretch lies inside the source.
+template <class Geometry>
+void ChainContour<Geometry>::AddChainArcs(ChainEdgeId id,
+                                          const EdgePosition& begin,
+                                          const EdgePosition& end,
+                                          bool positive) {
+  const ChainEdge& c = chain_.edges()[id];
+  const auto add = [&](const EdgePosition& from, const EdgePosition& to) {
+    arcs_->push_back({c.edge, {from, to, positive}, c.owner, kNoEdge});
+  };
+  if (intervals_.size() == 1) {
+    add(begin, end);
+    return;
+  }
+  const auto before = [&](const EdgePosition& a, const EdgePosition& b) {
+    return ComparePositions(geometry_, c.edge, a, b) == Sign::kNegative;
+  };
+  for (const Interval& interval : intervals_) {
+    const EdgePosition from =
+        before(begin, interval.begin) ? interval.begin : begin;
+    const EdgePosition to = before(interval.end, end) ? interval.end : end;
+    if (before(from, to)) add(from, to);
+  }
+}
+
+/// The depth where the first interval of an edge begins, from what is known
+/// and from what changes along the edge; nothing if nothing is known.
+template <class Geometry>
+std::optional<int> ChainContour<Geometry>::KnownDepth(const State& state) {
+  const std::span<const DepthJump> jumps = sweep_.jumps();
+  const auto changes_until = [&](std::size_t end) {
+    int sum = 0;
+    for (std::size_t j = 0; j < end; ++j)
+      sum += jumps[j].change;
+    return sum;
+  };
+  switch (state.known_at) {
+    case KnownAt::kNowhere:
+      break;
+    case KnownAt::kBegin:
+      if (intervals_.front().begin.plane != kFromEnd) break;
+      ++counts_.propagated;
+      return state.depth;
+    case KnownAt::kEntry:
+      if (intervals_.front().begin.plane != state.plane) break;
+      ++counts_.entered;
+      return state.depth;
+    case KnownAt::kExit:
+      if (intervals_.size() > 1 ||
+          intervals_.front().end.plane != state.plane) {
+        break;
+      }
+      ++counts_.entered;
+      return state.depth - changes_until(jumps.size());
+    case KnownAt::kBefore:
+    case KnownAt::kAfter: {
+      const auto found = std::ranges::find(jumps, state.edge, &DepthJump::edge);
+      if (found == jumps.end()) break;
+      auto end = static_cast<std::size_t>(found - jumps.begin());
+      if (state.known_at == KnownAt::kBefore) {
+        while (end > 0 && !sweep_.IsBefore(jumps[end - 1].at, found->at))
+          --end;
+      } else {
+        while (end < jumps.size() && !sweep_.IsBefore(found->at, jumps[end].at))
+          ++end;
+      }
+      ++counts_.crossed;
+      return state.depth - changes_until(end);
+    }
+  }
+  return std::nullopt;
+}
+
+/// Sweeps what of a chain edge lies inside the source.
+template <class Geometry>
+void ChainContour<Geometry>::SweepChainEdge(ChainEdgeId id) {
+  const ChainEdge& c = chain_.edges()[id];
+  states_[id].is_swept = true;
+  if (!FindIntervals(c.edge)) return;
+  const EdgePosition begin = intervals_.front().begin;
+  EdgePosition end = intervals_.front().end;
+  for (const Interval& interval : intervals_) {
+    if (ComparePositions(geometry_, c.edge, end, interval.end) ==
+        Sign::kNegative) {
+      end = interval.end;
+    }
+  }
+  sweep_.Start(c.edge, id, chain_.boxes()[id.index()], begin, end);
+  std::optional<int> known = KnownDepth(states_[id]);
+  if (!known) {
+    known = depth_.At(c.edge, begin, false, *shaft_);
+    if (depth_.hides_all()) return;
+  }
+  std::optional<EdgePosition> lit;
+  bool positive = false;
+  const auto add = [&](const EdgePosition& to) {
+    if (lit) AddChainArcs(id, *lit, to, positive);
+    lit.reset();
+  };
+  const int depth = sweep_.ForEachStretch(
+      *known, c.coefficient,
+      [&](const EdgePosition& from, const EdgePosition&, int negative_depth,
+          int difference, int earlier) {
+        if (checks_depths_) {
+          CheckDepth(c.edge, from, false, negative_depth);
+          CheckDepth(c.edge, from, true, negative_depth + difference);
+        }
+        const bool is_lit =
+            earlier == 0 && difference != 0 &&
+            (negative_depth == 0 || negative_depth + difference == 0);
+        const bool is_positive = negative_depth != 0;
+        if (lit && (!is_lit || positive != is_positive)) add(from);
+        if (is_lit && !lit) {
+          lit = from;
+          positive = is_positive;
+        }
+      },
+      [&](const DepthJump& jump, int least_depth) {
+        if (!jump.is_proper) return;
+        const KnownAt at = jump.leaves ? KnownAt::kAfter : KnownAt::kBefore;
+        Know(jump.edge, {false, at, least_depth, {}, id});
+      });
+  add(end);
+  if (end.plane == kToEnd && sweep_.ends_alone()) Propagate(id, depth);
+}
+
+/// Sorts the spokes counter-clockwise, beginning behind the edge that ends
+/// there, whose plane is given. False if two have one direction.
+template <class Geometry>
+bool ChainContour<Geometry>::SortSpokes(ViewPlaneId plane) {
+  if (spokes_.size() < 2) return true;
+  bool all_differ = true;
+  const auto is_left = [&](ViewPlaneId of, bool is_outgoing,
+                           ViewDirectionId direction) {
+    const Sign sign = geometry_.PlaneSide(of, direction).sign;
+    all_differ = all_differ && sign != Sign::kZero;
+    return (sign == Sign::kPositive) == is_outgoing;
+  };
+  // Counter-clockwise from the edge's begin comes what is on its right first.
+  for (Spoke& spoke : spokes_)
+    spoke.is_first_half = !is_left(plane, true, spoke.far);
+  // By a heap, which ends also where there is no order.
+  const auto comes_first = [&](const Spoke& a, const Spoke& b) {
+    if (a.is_first_half != b.is_first_half) return a.is_first_half;
+    if (a.edge == b.edge) return false;
+    return is_left(chain_.edges()[a.edge].edge.plane, a.is_outgoing, b.far);
+  };
+  std::ranges::make_heap(spokes_, comes_first);
+  std::ranges::sort_heap(spokes_, comes_first);
+  return all_differ;
+}
+
+/// From the depth on the negative side of an edge where it ends to those where
+/// other edges begin: around the end it changes from spoke to spoke.
+template <class Geometry>
+void ChainContour<Geometry>::Propagate(ChainEdgeId swept, int depth) {
+  const ViewEdge& arriving = chain_.edges()[swept].edge;
+  spokes_.clear();
+  bool any_open = false;
+  chain_.ForEachAt(arriving.to, [&](ChainEdgeId id) {
+    if (id == swept) return;
+    const ViewEdge& edge = chain_.edges()[id].edge;
+    const bool is_outgoing = edge.from == arriving.to;
+    any_open = any_open || (is_outgoing && !states_[id].is_swept &&
+                            states_[id].known_at == KnownAt::kNowhere);
+    spokes_.push_back({id, is_outgoing ? edge.to : edge.from, is_outgoing});
+  });
+  if (!any_open || !SortSpokes(arriving.plane)) return;
+  for (const Spoke& spoke : spokes_) {
+    const int coefficient = chain_.edges()[spoke.edge].coefficient;
+    if (spoke.is_outgoing) {
+      Know(spoke.edge, {false, KnownAt::kBegin, depth, {}, {}});
+      depth += coefficient;
+    } else {
+      depth -= coefficient;
+    }
+  }
+}
+
+/// Sweeps the edges of which a depth is known, and those of which it gets known
+/// by that.
+template <class Geometry>
+void ChainContour<Geometry>::SweepKnown() {
+  while (!known_.empty() && !depth_.hides_all()) {
+    const ChainEdgeId id = known_.back();
+    known_.pop_back();
+    SweepChainEdge(id);
+  }
+}
+
+template <class Geometry>
+void ChainContour<Geometry>::AppendArcs(
+    const Shaft& shaft, const std::vector<SilhouetteEdge>* candidates,
+    std::vector<ViewArc>& arcs) {
+  const std::size_t first = arcs.size();
+  chain_.Build(shaft, candidates);
+  shaft_ = &shaft;
+  arcs_ = &arcs;
+  depth_.Start();
+  const auto edges = chain_.edges();
+  ++counts_.sources;
+  states_.clear();
+  states_.resize(edges.size());
+  known_.clear();
+  sweep_.SetChain(source_.box());
+  for (std::size_t s = 0; s < source_.parts().size(); ++s) {
+    if (!depth_.hides_all()) SweepSource(s);
+  }
+  SweepKnown();
+  for (const ChainEdgeId id : edges.ids()) {
+    if (states_[id].is_swept || depth_.hides_all()) continue;
+    SweepChainEdge(id);
+    SweepKnown();
+  }
+  if (depth_.hides_all()) arcs.resize(first);
+}
+
+template class ChainContour<ViewGeometry>;
+template class ChainContour<UnfilteredViewGeometry>;
+template class ChainContour<DisplacedViewGeometry>;
+
+}  // namespace truelux

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The visible contour of one source from its chain (method.md, section 5).
+
+#ifndef TRUELUX_VISIBILITY_CHAIN_CHAIN_CONTOUR_H_
+#define TRUELUX_VISIBILITY_CHAIN_CHAIN_CONTOUR_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/id_vector.h"
+#include "visibility/chain/chain_counts.h"
+#include "visibility/chain/edge_sweep.h"
+#include "visibility/chain/source_chain.h"
+#include "visibility/chain/start_depth.h"
+#include "visibility/edges/direction_sides.h"
+#include "visibility/edges/source_contour.h"
+
+namespace truelux {
+
+/// Finds the arcs of a source: along an edge the number of blockers over it
+/// changes where an edge of the chain crosses it; arcs are where none is left.
+template <class Geometry>
+class ChainContour {
+ public:
+  /// checks_depths: for tests; std::logic_error is thrown where a depth is not
+  /// what the tree says. The arguments must outlive the object.
+  ChainContour(const Scene& scene, const SceneIndex& index, Geometry& geometry,
+               ConeMaker<Geometry>& cones, SourceCones<Geometry>& source,
+               DirectionSides<Geometry>& source_sides,
+               BlockerParts<Geometry>& blockers, IgnoredFacetCache& ignored,
+               bool checks_depths);
+
+  /// Appends the arcs that bound what is visible of the source that has been
+  /// set; none if nothing is visible. shaft: the source's.
+  /// candidates: as of SourceChain::Build. The direction sides are those to the source's
+  /// first cone.
+  void AppendArcs(const Shaft& shaft,
+                  const std::vector<SilhouetteEdge>* candidates,
+                  std::vector<ViewArc>& arcs);
+
+  /// How many edges were looked at to make the chain.
+  [[nodiscard]] std::size_t looked_at() const { return chain_.looked_at(); }
+
+  [[nodiscard]] const ChainCounts& counts() const { return counts_; }
+
+ private:
+  /// Where the depth on the negative side of a chain edge is known.
+  enum class KnownAt : std::uint8_t {
+    kNowhere,
+    kBegin,   ///< where the edge begins
+    kEntry,   ///< after it enters the source
+    kExit,    ///< before it leaves the source
+    kBefore,  ///< before it crosses another chain edge
+    kAfter,   ///< after it crosses another chain edge
+  };
+
+  /// What is known of an edge of the chain while arcs are sought.
+  struct State {
+    bool is_swept = false;
+    KnownAt known_at = KnownAt::kNowhere;
+    int depth = 0;
+    ViewPlaneId plane;  ///< of the source: kEntry, kExit
+    ChainEdgeId edge;   ///< the other one: kBefore, kAfter
+  };
+
+  /// An interval of the edge that is swept.
+  struct Interval {
+    EdgePosition begin;
+    EdgePosition end;
+  };
+
+  /// A chain edge as seen from one of its ends.
+  struct Spoke {
+    ChainEdgeId edge;
+    ViewDirectionId far;
+    bool is_outgoing = false;
+    bool is_first_half = false;
+  };
+
+  void SweepSource(std::size_t s);
+  void SweepKnown();
+  void SweepChainEdge(ChainEdgeId id);
+  void Know(ChainEdgeId id, const State& state);
+  std::optional<int> KnownDepth(const State& state);
+  bool FindIntervals(const ViewEdge& edge);
+  void CheckDepth(const ViewEdge& edge, const EdgePosition& position,
+                  bool on_positive, int depth);
+  void AddChainArcs(ChainEdgeId id, const EdgePosition& begin,
+                    const EdgePosition& end, bool positive);
+  void Propagate(ChainEdgeId id, int depth);
+  bool SortSpokes(ViewPlaneId plane);
+
+  Geometry& geometry_;
+  ConeMaker<Geometry>& cones_;
+  SourceCones<Geometry>& source_;
+  DirectionSides<Geometry>& source_sides_;
+  BlockerParts<Geometry>& blockers_;
+  bool checks_depths_;
+  ChainCounts counts_;
+  SourceChain<Geometry> chain_;
+  StartDepth<Geometry> depth_;
+  EdgeSweep<Geometry> sweep_;
+  const Shaft* shaft_ = nullptr;
+  std::vector<ViewArc>* arcs_ = nullptr;
+  IdVector<ChainEdgeId, State> states_;
+  std::vector<Interval> intervals_;
+  std::vector<Spoke> spokes_;
+  std::vector<ChainEdgeId> known_;  ///< not swept, of known depth somewhere
+};
+
+extern template class ChainContour<ViewGeometry>;
+extern template class ChainContour<UnfilteredViewGeometry>;
+extern template class ChainContour<DisplacedViewGeometry>;
+
+}  // namespace truelux
+
+#endif  // TRUELUX_VISIBILITY_CHAIN_CHAIN_CONTOUR_H_

@@ -7,6 +7,13 @@
 #include <utility>
 
 namespace truelux {
+namespace {
+
+/// With fewer cones of the source, to look at the boxes of all is faster than
+/// sets of bits.
+constexpr std::size_t kManyCones = 16;
+
+}  // namespace
 
 template <class Geometry>
 ChainContour<Geometry>::ChainContour(
@@ -41,54 +48,104 @@ void ChainContour<Geometry>::CheckDepth(const ViewEdge& edge,
     throw std::logic_error("a depth is not what the tree says");
 }
 
-/// Sweeps the inner side of the edges of a cone of the source.
+/// Sweeps the inner side of the source's outline: of the edges of its cones
+/// that are no diagonals, one after the other where one begins where the other
+/// ends.
 template <class Geometry>
-void ChainContour<Geometry>::SweepSource(std::size_t s) {
-  const Part& part = source_.parts()[s];
-  const Cone& cone = part.cone;
-  std::optional<int> at_corner;  // the depth inside, if it is known
-  for (std::size_t k = 0; k < cone.size; ++k) {
-    if (source_.IsDiagonal(cone.edges[k])) {
-      at_corner.reset();
-      continue;
+void ChainContour<Geometry>::SweepOutline() {
+  outline_.clear();
+  outline_at_.Clear();
+  outline_at_.Cover(geometry_.direction_count());
+  const auto parts = source_.parts();
+  for (std::size_t s = 0; s < parts.size(); ++s) {
+    const Cone& cone = parts[s].cone;
+    for (std::size_t k = 0; k < cone.size; ++k) {
+      if (source_.IsDiagonal(cone.edges[k])) continue;
+      outline_at_.Set(cone.From(k), outline_.size());
+      outline_.push_back({s, k});
     }
-    const ViewEdge edge{cone.planes[k], cone.From(k), cone.To(k)};
-    sweep_.Start(edge, ChainEdgeId(),
-                 source_.plane().BoxOfEdge(edge.from, edge.to), kEdgeFrom,
-                 kEdgeTo);
-    if (!at_corner) {
-      at_corner = depth_.At(edge, kEdgeFrom, true, *shaft_);
-      if (depth_.hides_all()) return;
+  }
+  for (std::size_t i = 0; i < outline_.size(); ++i) {
+    std::size_t next = i;
+    while (!outline_[next].is_swept && !depth_.hides_all()) {
+      OutlineEdge& edge = outline_[next];
+      edge.is_swept = true;
+      Cone& cone = parts[edge.part].cone;
+      cones_.Complete(cone);
+      const ViewDirectionId from = cone.From(edge.index);
+      const ViewDirectionId to = cone.To(edge.index);
+      const int* const known = corner_depths_.Find(from);
+      const std::optional<int> depth = SweepOutlineEdge(
+          cone, edge.index,
+          known != nullptr ? std::optional(*known) : std::nullopt);
+      if (!depth) break;
+      corner_depths_.Set(to, *depth);
+      const std::size_t* const found = outline_at_.Find(to);
+      if (found == nullptr) break;
+      next = *found;
     }
-    const bool horizon = edge.plane == cones_.horizon();
-    std::optional<EdgePosition> lit;
-    const auto add = [&](const EdgePosition& to) {
-      if (lit) {
-        arcs_->push_back({edge,
-                          {*lit, to, true},
-                          horizon ? PieceId() : cone.piece,
-                          cone.edges[k]});
-      }
-      lit.reset();
-    };
-    at_corner = sweep_.ForEachStretch(
-        *at_corner, 0,
-        [&](const EdgePosition& begin, const EdgePosition&, int depth, int,
-            int) {
-          if (checks_depths_) CheckDepth(edge, begin, true, depth);
-          if (depth != 0) {
-            add(begin);
-          } else if (!lit) {
-            lit = begin;
-          }
-        },
-        [&](const DepthJump& jump, int depth) {
-          if (!jump.is_proper) return;
-          const KnownAt at = jump.leaves ? KnownAt::kEntry : KnownAt::kExit;
-          Know(jump.edge, {false, at, depth, edge.plane, {}});
-        });
-    add(kEdgeTo);
-    if (!sweep_.ends_alone()) at_corner.reset();
+  }
+}
+
+/// depth: at the edge's begin, if it is known. Returns the depth where the edge
+/// ends, if nothing else ends there.
+template <class Geometry>
+std::optional<int> ChainContour<Geometry>::SweepOutlineEdge(
+    const Cone& cone, std::size_t k, std::optional<int> depth) {
+  const ViewEdge edge{cone.planes[k], cone.From(k), cone.To(k)};
+  sweep_.Start(edge, ChainEdgeId(),
+               source_.plane().BoxOfEdge(edge.from, edge.to), kEdgeFrom,
+               kEdgeTo);
+  if (!depth) {
+    depth = depth_.At(edge, kEdgeFrom, true, *shaft_);
+    if (depth_.hides_all()) return std::nullopt;
+  }
+  const bool horizon = edge.plane == cones_.horizon();
+  std::optional<EdgePosition> lit;
+  const auto add = [&](const EdgePosition& to) {
+    if (lit) {
+      arcs_->push_back({edge,
+                        {*lit, to, true},
+                        horizon ? PieceId() : cone.piece,
+                        cone.edges[k]});
+    }
+    lit.reset();
+  };
+  depth = sweep_.ForEachStretch(
+      *depth, 0,
+      [&](const EdgePosition& begin, const EdgePosition&, int over, int, int) {
+        if (checks_depths_) CheckDepth(edge, begin, true, over);
+        if (over != 0) {
+          add(begin);
+        } else if (!lit) {
+          lit = begin;
+        }
+      },
+      [&](const DepthJump& jump, int least_depth) {
+        if (!jump.is_proper) return;
+        const KnownAt at = jump.leaves ? KnownAt::kEntry : KnownAt::kExit;
+        Know(jump.edge, {false, at, least_depth, edge.plane, {}});
+      });
+  add(kEdgeTo);
+  if (!sweep_.ends_alone()) depth.reset();
+  return depth;
+}
+
+/// Calls visit(index) for the source's cones whose boxes meet a box.
+template <class Geometry>
+template <class Visit>
+void ChainContour<Geometry>::ForEachConeNear(const ImageBox& box,
+                                             const Visit& visit) {
+  const auto boxes = source_.boxes();
+  const auto try_cone = [&](std::size_t s) {
+    if (boxes[s].Meets(box)) visit(s);
+    return true;
+  };
+  if (boxes.size() < kManyCones) {
+    for (std::size_t s = 0; s < boxes.size(); ++s)
+      try_cone(s);
+  } else {
+    cone_bins_.ForEach(box, try_cone);
   }
 }
 
@@ -100,27 +157,27 @@ bool ChainContour<Geometry>::FindIntervals(const ViewEdge& edge) {
   intervals_.clear();
   const auto parts = source_.parts();
   const ImageBox box = source_.plane().BoxOfEdge(edge.from, edge.to);
-  for (std::size_t s = 0; s < parts.size(); ++s) {
-    if (!source_.boxes()[s].Meets(box)) continue;
-    const Part& part = parts[s];
+  ForEachConeNear(box, [&](std::size_t s) {
+    Part& part = parts[s];
+    cones_.Complete(part.cone);
     if (parts.size() > 1) source_sides_.SetBundle(part.cone.bundle);
     BundleSides& from = source_sides_.Of(edge.from);
     BundleSides& to = source_sides_.Of(edge.to);
     const std::uint32_t all = geometry_.BundleMask(part.cone.bundle);
     if ((from.positive & to.positive) == all) {
       intervals_.push_back({kEdgeFrom, kEdgeTo});
-      continue;
+      return;
     }
     Cover cover;
-    if (!CoverOf(geometry_, edge, part.cone, from, to, cover)) continue;
+    if (!CoverOf(geometry_, edge, part.cone, from, to, cover)) return;
     if (cover.side != Sign::kZero) {
       const bool is_diagonal =
           source_.IsDiagonal(part.cone.edges[cover.coincident]);
-      if (!is_diagonal || cover.side != Sign::kPositive) continue;
+      if (!is_diagonal || cover.side != Sign::kPositive) return;
       ++counts_.diagonals;
     }
     intervals_.push_back({cover.begin, cover.end});
-  }
+  });
   if (intervals_.size() > 1) {
     std::ranges::sort(intervals_, [&](const Interval& a, const Interval& b) {
       return ComparePositions(geometry_, edge, a.begin, b.begin) ==
@@ -321,25 +378,34 @@ void ChainContour<Geometry>::SweepKnown() {
 }
 
 template <class Geometry>
-void ChainContour<Geometry>::AppendArcs(
-    const Shaft& shaft, const std::vector<SilhouetteEdge>* candidates,
-    std::vector<ViewArc>& arcs) {
-  const std::size_t first = arcs.size();
-  chain_.Build(shaft, candidates);
+void ChainContour<Geometry>::MakeChain(
+    const Shaft& shaft, const std::vector<SilhouetteEdge>* candidates) {
   shaft_ = &shaft;
-  arcs_ = &arcs;
-  depth_.Start();
-  const auto edges = chain_.edges();
+  chain_.Build(shaft, candidates);
   ++counts_.sources;
   states_.clear();
-  states_.resize(edges.size());
-  known_.clear();
+  states_.resize(chain_.edges().size());
   sweep_.SetChain(source_.box());
-  for (std::size_t s = 0; s < source_.parts().size(); ++s) {
-    if (!depth_.hides_all()) SweepSource(s);
-  }
+  corner_depths_.Clear();
+  corner_depths_.Cover(geometry_.direction_count());
+}
+
+template <class Geometry>
+void ChainContour<Geometry>::AppendArcs(std::vector<ViewArc>& arcs) {
+  const std::size_t first = arcs.size();
+  arcs_ = &arcs;
+  depth_.Start();
+  known_.clear();
+  near_.clear();
+  sweep_.ForEachNear(source_.box(), [this](ChainEdgeId id) {
+    near_.push_back(id);
+    states_[id] = {};
+  });
+  if (source_.boxes().size() >= kManyCones)
+    cone_bins_.Build(source_.boxes(), source_.box());
+  SweepOutline();
   SweepKnown();
-  for (const ChainEdgeId id : edges.ids()) {
+  for (const ChainEdgeId id : near_) {
     if (states_[id].is_swept || depth_.hides_all()) continue;
     SweepChainEdge(id);
     SweepKnown();

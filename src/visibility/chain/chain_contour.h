@@ -33,13 +33,16 @@ class ChainContour {
                BlockerParts<Geometry>& blockers, IgnoredFacetCache& ignored,
                bool checks_depths);
 
-  /// Appends the arcs that bound what is visible of the source that has been
-  /// set; none if nothing is visible. shaft: the source's.
-  /// candidates: as of SourceChain::Build. The direction sides are those to the source's
-  /// first cone.
-  void AppendArcs(const Shaft& shaft,
-                  const std::vector<SilhouetteEdge>* candidates,
-                  std::vector<ViewArc>& arcs);
+  /// Makes the chain of the source that has been set. shaft: the source's; it
+  /// must outlive the calls of AppendArcs. candidates: as of
+  /// SourceChain::Build.
+  void MakeChain(const Shaft& shaft,
+                 const std::vector<SilhouetteEdge>* candidates);
+
+  /// Appends the arcs that bound what is visible of the source, which may have
+  /// been narrowed since its chain was made; none if nothing is visible. The
+  /// direction sides are those to the first cone of what is left.
+  void AppendArcs(std::vector<ViewArc>& arcs);
 
   /// How many edges were looked at to make the chain.
   [[nodiscard]] std::size_t looked_at() const { return chain_.looked_at(); }
@@ -72,6 +75,13 @@ class ChainContour {
     EdgePosition end;
   };
 
+  /// An edge of the source that is no diagonal.
+  struct OutlineEdge {
+    std::size_t part = 0;   ///< of the source
+    std::size_t index = 0;  ///< in the part's cone
+    bool is_swept = false;
+  };
+
   /// A chain edge as seen from one of its ends.
   struct Spoke {
     ChainEdgeId edge;
@@ -80,7 +90,11 @@ class ChainContour {
     bool is_first_half = false;
   };
 
-  void SweepSource(std::size_t s);
+  void SweepOutline();
+  std::optional<int> SweepOutlineEdge(const Cone& cone, std::size_t k,
+                                      std::optional<int> depth);
+  template <class Visit>
+  void ForEachConeNear(const ImageBox& box, const Visit& visit);
   void SweepKnown();
   void SweepChainEdge(ChainEdgeId id);
   void Know(ChainEdgeId id, const State& state);
@@ -107,6 +121,11 @@ class ChainContour {
   std::vector<ViewArc>* arcs_ = nullptr;
   IdVector<ChainEdgeId, State> states_;
   std::vector<Interval> intervals_;
+  PartBins cone_bins_;             ///< of a source of many cones
+  std::vector<ChainEdgeId> near_;  ///< chain edges that may meet the source
+  StampedTable<int, ViewDirectionId> corner_depths_;  ///< around corners
+  std::vector<OutlineEdge> outline_;
+  StampedTable<std::size_t, ViewDirectionId> outline_at_;  ///< where they begin
   std::vector<Spoke> spokes_;
   std::vector<ChainEdgeId> known_;  ///< not swept, of known depth somewhere
 };

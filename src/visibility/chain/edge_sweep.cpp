@@ -87,10 +87,8 @@ void EdgeSweep<Geometry>::Start(const ViewEdge& edge, ChainEdgeId self,
   is_whole_ = begin.plane == kFromEnd && end.plane == kToEnd;
   ends_alone_ = true;
   jumps_.clear();
-  bins_.ForEach(box, [&](std::size_t i) {
-    const auto other = EndId<ChainEdgeId>(i);
-    if (other != self && chain_.boxes()[i].Meets(box)) TryJump(other);
-    return true;
+  ForEachNear(box, [&](ChainEdgeId other) {
+    if (other != self) TryJump(other);
   });
   if (jumps_.size() < 2) return;
   std::ranges::sort(jumps_, [this](const DepthJump& a, const DepthJump& b) {

@@ -48,6 +48,15 @@ class EdgeSweep {
   /// Starts with another chain. frame: the source's box.
   void SetChain(const ImageBox& frame) { bins_.Build(chain_.boxes(), frame); }
 
+  /// Calls visit(ChainEdgeId) for the edges whose boxes meet a box.
+  template <class Visit>
+  void ForEachNear(const ImageBox& box, const Visit& visit) const {
+    bins_.ForEach(box, [&](std::size_t i) {
+      if (chain_.boxes()[i].Meets(box)) visit(EndId<ChainEdgeId>(i));
+      return true;
+    });
+  }
+
   /// Finds the jumps along an edge from `begin` to `end`. self: the chain edge
   /// that it is; none for an edge of the source. box: the edge's.
   void Start(const ViewEdge& edge, ChainEdgeId self, const ImageBox& box,

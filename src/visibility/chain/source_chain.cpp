@@ -49,7 +49,7 @@ SourceChain<Geometry>::SourceChain(const Scene& scene, const SceneIndex& index,
 template <class Geometry>
 bool SourceChain<Geometry>::Blocks(PieceId piece) {
   const FacetId facet = pieces_.pieces()[piece].facet;
-  return facet != source_.facet() && !ignored_.IsIgnored(facet) &&
+  return !source_.IsOwn(facet) && !ignored_.IsIgnored(facet) &&
          cones_.ReceiverSide(piece) != Sign::kZero;
 }
 
@@ -250,9 +250,11 @@ template <class Geometry>
 void SourceChain<Geometry>::AddAtSourcePlane() {
   const auto vertices = VerticesOf(scene_);
   Box box;
-  for (const PieceId piece : pieces_.PiecesOf(source_.facet())) {
-    for (const VertexId vertex : pieces_.CornersOf(piece))
-      box.Include(vertices[vertex]);
+  for (const FacetId facet : source_.facets()) {
+    for (const PieceId piece : pieces_.PiecesOf(facet)) {
+      for (const VertexId vertex : pieces_.CornersOf(piece))
+        box.Include(vertices[vertex]);
+    }
   }
   const TriangleId triangle = source_.plane().triangle();
   const PlaneRegion region(

@@ -27,13 +27,15 @@ void BlockerParts<Geometry>::Start() {
   boxes_.clear();
   hide_all_ = false;
   is_blocker_.Clear();
-  sides_.SetBundle(source_.parts().front().cone.bundle);
+  Cone& first = source_.parts().front().cone;
+  cones_.Complete(first);
+  sides_.SetBundle(first.bundle);
 }
 
 template <class Geometry>
 bool BlockerParts<Geometry>::MayBlock(PieceId piece, ImageBox& box) {
   const Piece& p = pieces_.pieces()[piece];
-  if (hide_all_ || p.facet == source_.facet()) return false;
+  if (hide_all_ || source_.IsOwn(p.facet)) return false;
   if (source_.IsCoplanar(p.facet) && !source_.IsSeenBeforeSource(p.facet)) {
     return false;
   }

@@ -35,15 +35,31 @@ ContourEngine::ContourEngine(const Scene& scene, ContourPath path)
       triangle_normals_(
           FilteredTriangleNormals(scene.vertices(), scene.triangles())) {
   const auto facets = FacetsOf(scene);
+  IdVector<FacetId, EmitterId> emitter_of(facets.size());
   for (const FacetId facet : facets.ids()) {
     if (!Emits(FacesOf(scene)[FaceOf(facets[facet])])) continue;
-    emitters_.push_back({facet, ShaftsTo(facet)});
+    emitter_of[facet] = emitters_.push_back({facet, ShaftsTo({&facet, 1})});
+  }
+  group_of_.resize(emitters_.size(), -1);
+  if (path == ContourPath::kBlockers) return;
+  for (EmitterGroup& group : EmitterGroupsOf(scene, index_.pieces())) {
+    for (const FacetId facet : group.facets)
+      group_of_[emitter_of[facet]] = static_cast<int>(groups_.size());
+    ShaftSource shafts = ShaftsTo(group.facets);
+    groups_.push_back({std::move(group), std::move(shafts)});
   }
 }
 
-ShaftSource ContourEngine::ShaftsTo(FacetId facet) const {
+ShaftSource ContourEngine::ShaftsTo(std::span<const FacetId> facets) const {
+  std::vector<Triangle> triangles;
+  for (const FacetId facet : facets) {
+    for (const Triangle& triangle :
+         TrianglesOf(scene_, FacetsOf(scene_)[facet])) {
+      triangles.push_back(triangle);
+    }
+  }
   const RoundUpward rounding;
-  return {scene_.vertices(), TrianglesOf(scene_, FacetsOf(scene_)[facet])};
+  return {scene_.vertices(), triangles};
 }
 
 Contour ContourEngine::Build(const ContourQuery& query) const {
@@ -99,37 +115,25 @@ class BasicContourBuilder<kKind>::Impl {
     cones_.SetReceiver(query.whole_sphere);
     ignored_.SetOnFace(FaceNumber(query.receiver.on_face));
     arcs_of_all_.clear();
-    ends_.clear();
+    ranges_.clear();
+    is_joined_ = false;
     source_count_ = 0;
     blocker_count_ = 0;
-    if (!query.only_source.valid()) {
-      for (const EmitterId e : engine_.emitters().ids()) {
-        StopIfAsked(query.stop);
-        const ContourEngine::Emitter& emitter = engine_.emitters()[e];
-        if (!StartSource(emitter.facet)) continue;
-        // What a block shares leaves out what is below the horizon.
-        const bool shares = in_block_ && !query.whole_sphere;
-        FindArcs(emitter.shafts, query, shares ? e : EmitterId());
-        FinishSource(emitter.facet);
-      }
+    if (query.only_source.valid()) {
+      BuildOnly(query);
     } else {
-      const FaceId face = IndexOf(query.only_source);
-      for (const FacetId f : FacetsOf(FacesOf(engine_.scene())[face])) {
-        if (!StartSource(f)) continue;
-        FindArcs(engine_.ShaftsTo(f), query, EmitterId());
-        FinishSource(f);
-      }
+      BuildAll(query);
     }
     const std::size_t all_arcs = arcs_of_all_.size();
-    if (query.join_sources && ends_.size() > 1) Join();
+    if (query.join_sources && ranges_.size() > 1) Join();
     writer_.Start(contour);
-    contour.is_joined = arcs_of_all_.size() < all_arcs;
-    std::size_t first = 0;
-    for (const SourceEnd& source : ends_) {
+    contour.is_joined = is_joined_ || arcs_of_all_.size() < all_arcs;
+    // Groups come before what lies between their facets.
+    std::ranges::sort(ranges_, {}, &SourceRange::facet);
+    for (const SourceRange& source : ranges_) {
       writer_.WriteSource(
-          source.facet,
-          std::span(arcs_of_all_).subspan(first, source.end - first));
-      first = source.end;
+          source.facet, std::span(arcs_of_all_)
+                            .subspan(source.begin, source.end - source.begin));
     }
     contour.statistics = geometry_.statistics();
     contour.statistics.sources = source_count_;
@@ -138,23 +142,82 @@ class BasicContourBuilder<kKind>::Impl {
   }
 
  private:
-  /// The arcs of a facet end before entry `end` of all arcs, where those of
-  /// the next one begin.
-  struct SourceEnd {
+  /// The arcs of a source are entries `begin` to before `end` of all arcs.
+  struct SourceRange {
     FacetId facet;
+    std::size_t begin = 0;
     std::size_t end = 0;
   };
 
-  /// False if nothing of the facet can be seen.
-  bool StartSource(FacetId facet) {
-    if (ignored_.IsIgnored(facet) ||
-        cones_.ReceiverSide(engine_.pieces().FirstPieceOf(facet)) !=
+  /// Finds the arcs of the face that is named.
+  void BuildOnly(const ContourQuery& query) {
+    const FaceId face = IndexOf(query.only_source);
+    for (const FacetId facet : FacetsOf(FacesOf(engine_.scene())[face])) {
+      const std::span<const FacetId> facets(&facet, 1);
+      if (!StartSource(facets)) continue;
+      FindArcs(engine_.ShaftsTo(facets), query, EmitterId());
+      FinishSource(facet);
+    }
+  }
+
+  /// Finds the arcs of all that emits.
+  void BuildAll(const ContourQuery& query) {
+    // What a block shares leaves out what is below the horizon.
+    const bool shares = in_block_ && !query.whole_sphere;
+    for (const EmitterId e : engine_.emitters().ids()) {
+      StopIfAsked(query.stop);
+      const ContourEngine::Emitter& emitter = engine_.emitters()[e];
+      const EmitterId sharing = shares ? e : EmitterId();
+      if (const auto* const group = engine_.GroupOf(e);
+          group != nullptr && kKind == PredicateKind::kExact) {
+        const bool is_first = group->emitters.facets.front() == emitter.facet;
+        if (is_first) BuildGroup(*group, query, sharing);
+        continue;
+      }
+      if (!StartSource({&emitter.facet, 1})) continue;
+      FindArcs(emitter.shafts, query, sharing);
+      FinishSource(emitter.facet);
+    }
+  }
+
+  /// Finds the arcs of the facets of a group, from one chain: of those that
+  /// emit the same as one source, or of each.
+  void BuildGroup(const ContourEngine::Group& group, const ContourQuery& query,
+                  EmitterId emitter) {
+    if (!StartSource(group.emitters.facets)) return;
+    const Shaft shaft = ShaftOf(group.shafts, query);
+    MakeChain(shaft, emitter);
+    const std::span<const FacetId> facets = source_.facets();
+    const auto add = [&](std::size_t first, std::size_t end) {
+      if (!source_.Narrow(first, end)) return;
+      blockers_.Start();
+      chain_.AppendArcs(arcs_of_all_);
+      ++source_count_;
+      FinishSource(facets[first]);
+    };
+    if (query.join_sources) {
+      is_joined_ = true;
+      std::size_t first = 0;
+      for (const std::size_t end : group.emitters.alike_ends) {
+        add(first, end);
+        first = end;
+      }
+    } else {
+      for (std::size_t i = 0; i < facets.size(); ++i)
+        add(i, i + 1);
+    }
+  }
+
+  /// False if nothing of the facets, which lie in one plane, can be seen.
+  bool StartSource(std::span<const FacetId> facets) {
+    const FacetId first = facets.front();
+    if (ignored_.IsIgnored(first) ||
+        cones_.ReceiverSide(engine_.pieces().FirstPieceOf(first)) !=
             Sign::kNegative ||
-        !source_.SetSource(facet)) {
+        !source_.SetSource(facets)) {
       return false;
     }
     blockers_.Start();
-    ++source_count_;
     return true;
   }
 
@@ -162,11 +225,11 @@ class BasicContourBuilder<kKind>::Impl {
   /// source, if a block of receivers shares what it finds; else none.
   void FindArcs(const ShaftSource& shafts, const ContourQuery& query,
                 EmitterId emitter) {
-    std::optional<Vector3> normal;
-    if (!query.whole_sphere) normal = query.receiver.normal;
-    const Shaft shaft(shafts, Box::Of(query.receiver.position), normal);
+    ++source_count_;
+    const Shaft shaft = ShaftOf(shafts, query);
     if (UsesChain(shaft)) {
-      FindArcsByChain(shaft, emitter);
+      MakeChain(shaft, emitter);
+      chain_.AppendArcs(arcs_of_all_);
       return;
     }
     const auto add = [this](int piece) { AddPiece(PieceId(piece)); };
@@ -196,19 +259,24 @@ class BasicContourBuilder<kKind>::Impl {
     return engine_.index().silhouettes().CountNear(shaft) >= kManyInnerEdges;
   }
 
-  void FindArcsByChain(const Shaft& shaft, EmitterId emitter) {
+  /// Makes the chain of the source that has been set. emitter: as of FindArcs.
+  void MakeChain(const Shaft& shaft, EmitterId emitter) {
     if (!emitter.valid()) {
-      chain_.AppendArcs(shaft, nullptr, arcs_of_all_);
+      chain_.MakeChain(shaft, nullptr);
       return;
     }
     shared_edges_.Cover(engine_.emitters().size());
     if (!shared_edges_.Has(emitter)) shared_edges_.Renew(emitter).Start();
     SharedEdges& shared = shared_edges_[emitter];
-    chain_.AppendArcs(shaft,
-                      shared.Get(engine_.index().silhouettes(),
-                                 BlockShaft(emitter), block_box_),
-                      arcs_of_all_);
+    chain_.MakeChain(shaft, shared.Get(engine_.index().silhouettes(),
+                                       BlockShaft(emitter), block_box_));
     shared.Measure(chain_.looked_at());
+  }
+
+  static Shaft ShaftOf(const ShaftSource& shafts, const ContourQuery& query) {
+    std::optional<Vector3> normal;
+    if (!query.whole_sphere) normal = query.receiver.normal;
+    return {shafts, Box::Of(query.receiver.position), normal};
   }
 
   void AddPiece(PieceId piece) {
@@ -219,7 +287,8 @@ class BasicContourBuilder<kKind>::Impl {
   }
 
   void FinishSource(FacetId facet) {
-    ends_.push_back({facet, arcs_of_all_.size()});
+    const std::size_t begin = ranges_.empty() ? 0 : ranges_.back().end;
+    ranges_.push_back({facet, begin, arcs_of_all_.size()});
   }
 
   /// Takes out the arcs between sources of equal emission.
@@ -227,7 +296,8 @@ class BasicContourBuilder<kKind>::Impl {
     join_.FindPairs(arcs_of_all_, dropped_);
     std::size_t kept = 0;
     std::size_t next = 0;
-    for (SourceEnd& source : ends_) {
+    for (SourceRange& source : ranges_) {
+      source.begin = kept;
       for (; next < source.end; ++next) {
         if (!dropped_[next]) arcs_of_all_[kept++] = arcs_of_all_[next];
       }
@@ -238,7 +308,11 @@ class BasicContourBuilder<kKind>::Impl {
 
   /// Holds the shafts of all receivers of the block.
   [[nodiscard]] Shaft BlockShaft(EmitterId emitter) const {
-    return {engine_.emitters()[emitter].shafts, block_box_, block_normal_};
+    const ContourEngine::Group* const group =
+        source_.facets().size() > 1 ? engine_.GroupOf(emitter) : nullptr;
+    return {
+        group != nullptr ? group->shafts : engine_.emitters()[emitter].shafts,
+        block_box_, block_normal_};
   }
 
   /// What the block's receivers share.
@@ -259,8 +333,9 @@ class BasicContourBuilder<kKind>::Impl {
   SourceJoin<BasicViewGeometry<kKind>> join_;
   ContourWriter<BasicViewGeometry<kKind>> writer_;
   std::vector<ViewArc> arcs_of_all_;  ///< of the receiver's sources, in order
-  std::vector<SourceEnd> ends_;
+  std::vector<SourceRange> ranges_;
   std::vector<bool> dropped_;  ///< per arc
+  bool is_joined_ = false;     ///< some of the sources are groups
   IgnoredFacetCache ignored_;
   ChainContour<BasicViewGeometry<kKind>> chain_;
   std::uint64_t source_count_ = 0;

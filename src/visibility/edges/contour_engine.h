@@ -18,6 +18,7 @@
 #include "scene/index/triangle_tree.h"
 #include "visibility/chain/chain_counts.h"
 #include "visibility/contour.h"
+#include "visibility/edges/emitter_groups.h"
 
 namespace truelux {
 
@@ -63,13 +64,24 @@ class ContourEngine {
     ShaftSource shafts;
   };
 
+  struct Group {
+    EmitterGroup emitters;
+    ShaftSource shafts;
+  };
+
   /// The facets of the faces that emit, in their order.
   [[nodiscard]] IdSpan<EmitterId, const Emitter> emitters() const {
     return emitters_;
   }
 
-  /// What the shafts towards a facet have in common.
-  [[nodiscard]] ShaftSource ShaftsTo(FacetId facet) const;
+  /// The group that an emitter belongs to; null if to none.
+  [[nodiscard]] const Group* GroupOf(EmitterId emitter) const {
+    const int group = group_of_[emitter];
+    return group >= 0 ? &groups_[static_cast<std::size_t>(group)] : nullptr;
+  }
+
+  /// What the shafts towards facets in one plane have in common.
+  [[nodiscard]] ShaftSource ShaftsTo(std::span<const FacetId> facets) const;
 
   [[nodiscard]] const SceneIndex& index() const { return index_; }
 
@@ -82,6 +94,8 @@ class ContourEngine {
   const SceneIndex& index_;  ///< lives as long as the scene's data
   IdVector<TriangleId, FilteredPlane> triangle_normals_;
   IdVector<EmitterId, Emitter> emitters_;
+  std::vector<Group> groups_;
+  IdVector<EmitterId, int> group_of_;  ///< in groups_; -1: none
 };
 
 /// Finds visible contours in one scene, one receiver after the other; every

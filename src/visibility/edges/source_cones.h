@@ -5,6 +5,7 @@
 #ifndef TRUELUX_VISIBILITY_EDGES_SOURCE_CONES_H_
 #define TRUELUX_VISIBILITY_EDGES_SOURCE_CONES_H_
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -29,15 +30,27 @@ class SourceCones {
   SourceCones(const Scene& scene, const ConvexPieces& pieces,
               Geometry& geometry, ConeMaker<Geometry>& cones);
 
-  /// Chooses the source. False if nothing of it is above the horizon. Requires
-  /// r strictly in front of the facet.
-  bool SetSource(FacetId facet);
+  /// Chooses the source: a facet, or the facets of an EmitterGroup, which must
+  /// live on. False if nothing of it is above the horizon. Requires r strictly
+  /// in front of the facets' plane.
+  bool SetSource(std::span<const FacetId> facets);
 
-  /// The pieces of the source above the horizon, each a complete cone.
-  [[nodiscard]] std::span<Part> parts() { return parts_; }
+  /// Chooses some of the facets that have been set, those from `first` to
+  /// before `end`, as the source: what parts, boxes, box and IsSource are
+  /// about. What is known of the plane stays. False if nothing of them is above
+  /// the horizon.
+  bool Narrow(std::size_t first, std::size_t end);
+
+  /// The pieces of the source above the horizon. Their cones are complete if
+  /// the source is a facet; else ConeMaker::Complete has to be called.
+  [[nodiscard]] std::span<Part> parts() {
+    return std::span(parts_).subspan(first_part_, part_count_);
+  }
 
   /// The boxes of parts(), in their order.
-  [[nodiscard]] std::span<const ImageBox> boxes() const { return boxes_; }
+  [[nodiscard]] std::span<const ImageBox> boxes() const {
+    return std::span(boxes_).subspan(first_part_, part_count_);
+  }
 
   /// Contains them all.
   [[nodiscard]] const ImageBox& box() const { return box_; }
@@ -45,8 +58,14 @@ class SourceCones {
   /// The source's plane.
   [[nodiscard]] SourcePlane<Geometry>& plane() { return plane_; }
 
-  /// The facet that is the source.
-  [[nodiscard]] FacetId facet() const { return facet_; }
+  /// The facets that have been set.
+  [[nodiscard]] std::span<const FacetId> facets() const { return facets_; }
+
+  /// Whether a facet is one of those that have been set.
+  [[nodiscard]] bool IsOwn(FacetId facet) const {
+    return facet == facets_.front() ||
+           (facets_.size() > 1 && is_own_.Contains(facet));
+  }
 
   /// Whether a piece is one of parts().
   [[nodiscard]] bool IsSource(PieceId piece) const {
@@ -67,7 +86,8 @@ class SourceCones {
   /// Whether a facet is known, without arithmetic, to lie in the plane of the
   /// source.
   [[nodiscard]] bool IsCoplanar(FacetId facet) const {
-    return pieces_.FirstInPlaneOf(facet) == pieces_.FirstInPlaneOf(facet_);
+    return pieces_.FirstInPlaneOf(facet) ==
+           pieces_.FirstInPlaneOf(facets_.front());
   }
 
   /// Whether a facet in the plane of the source hides the source where it
@@ -80,9 +100,13 @@ class SourceCones {
   Geometry& geometry_;
   ConeMaker<Geometry>& cones_;
 
-  FacetId facet_;
+  std::span<const FacetId> facets_;
+  StampedSet<FacetId> is_own_;  ///< if there are several
   SourcePlane<Geometry> plane_;
-  std::vector<Part> parts_;
+  std::vector<Part> parts_;             ///< of all facets
+  std::vector<std::size_t> part_ends_;  ///< of each facet
+  std::size_t first_part_ = 0;          ///< of those that are chosen
+  std::size_t part_count_ = 0;
   std::vector<ImageBox> boxes_;
   ImageBox box_;
   StampedSet<PieceId> is_source_;

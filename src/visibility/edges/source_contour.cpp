@@ -55,9 +55,8 @@ void SourceContour<Geometry>::NumberEdges(std::span<Part> parts,
     const CandidateId first = next;
     for (std::size_t k = 0; k < part.cone.size; ++k) {
       const EdgeId edge = part.cone.edges[k];
-      const bool left_out =
-          are_blockers ? edge != kNoEdge && IsInner(edge)
-                       : source_.IsDiagonal(edge);
+      const bool left_out = are_blockers ? edge != kNoEdge && IsInner(edge)
+                                         : source_.IsDiagonal(edge);
       part.candidates[k] = left_out ? CandidateId() : next;
       if (!left_out) ++next;
     }

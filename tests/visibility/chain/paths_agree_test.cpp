@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -23,6 +24,21 @@ namespace truelux {
 namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace)
+
+/// The values of a contour's sources one by one, with their facets; those of
+/// which nothing is visible are left out.
+std::vector<std::pair<FacetId, Rgb>> ValuesBySource(const ContourQuery& query,
+                                                    const Contour& contour) {
+  std::vector<std::pair<FacetId, Rgb>> values;
+  for (const SourceArcs& source : contour.sources) {
+    Contour only = contour;
+    only.sources.clear();
+    only.sources.push_back(source);
+    const Rgb value = EvaluateContour(query, only, {}).value;
+    if (value != Rgb{}) values.emplace_back(source.facet, value);
+  }
+  return values;
+}
 
 /// A kind of scene, and how many.
 struct Kind {
@@ -147,6 +163,46 @@ std::vector<TestFace> BrokenVoxels(PortableRandom& random) {
   return faces;
 }
 
+/// A lamp cut in quads and triangles that share their corners, of one or two
+/// emissions, some left out, some there twice or turned over; behind cubes or a
+/// sphere.
+std::vector<TestFace> CutLamps(PortableRandom& random) {
+  std::vector<TestFace> faces;
+  const int columns = random.Integer(1, 5);
+  const int rows = random.Integer(1, 4);
+  const double slope = random.OneIn(2) ? 0 : random.Integer(-1, 1);
+  const bool two_kinds = random.OneIn(2);
+  for (int i = 0; i < columns; ++i) {
+    for (int k = 0; k < rows; ++k) {
+      const auto at = [&](int dx, int dy) -> Point3 {
+        const double x = i + dx - 2;
+        return {x, k + dy - 2.0, 3 + slope * x};
+      };
+      const Ring quad{at(0, 0), at(0, 1), at(1, 1), at(1, 0)};
+      const Rgb emission =
+          two_kinds && random.OneIn(3) ? Rgb{3, 1, 0.5} : kLamp;
+      if (random.OneIn(10)) continue;
+      if (random.OneIn(3)) {
+        faces.push_back({{quad[0], quad[1], quad[2]}, emission});
+        faces.push_back({{quad[0], quad[2], quad[3]}, emission});
+      } else {
+        faces.push_back({random.OneIn(12) ? Reversed(quad) : quad, emission});
+      }
+      if (random.OneIn(15)) faces.push_back({quad, kLamp});
+    }
+  }
+  if (faces.empty()) faces.push_back({Ceiling(-1, 1, -1, 1, 3), kLamp});
+  if (random.OneIn(2)) {
+    Add(SphereMesh(random, random.Integer(3, 5),
+                   {random.Uniform(-1, 1), random.Uniform(-1, 1), 1.5}, 0.8, 0),
+        kBlack, faces);
+  } else {
+    Add(VoxelMesh(random, 3, 3, {-2, -2, random.Integer(0, 2) * 1.0}), kBlack,
+        faces);
+  }
+  return faces;
+}
+
 std::vector<TestFace> FarAway(PortableRandom& random) {
   std::vector<TestFace> faces =
       random.OneIn(2) ? Voxels(random) : BrokenVoxels(random);
@@ -249,6 +305,7 @@ TEST_P(PathsAgree, OnScenesOfAllKinds) {
   const int count = SweepSize(kind.count, 10 * kind.count);
   int lit = 0;
   int dark = 0;
+  int joined_count = 0;
   ChainCounts counts;
   for (int seed = 0; seed < count; ++seed) {
     PortableRandom random(static_cast<std::uint64_t>(seed) + 7);
@@ -264,8 +321,17 @@ TEST_P(PathsAgree, OnScenesOfAllKinds) {
       Contour contour;
       blockers_path.Build(query, contour);
       const Rgb expected = EvaluateContour(query, contour, {}).value;
+      const auto expected_by_source = ValuesBySource(query, contour);
       chain_path.Build(query, contour);
       const Rgb actual = EvaluateContour(query, contour, {}).value;
+      ASSERT_EQ(ValuesBySource(query, contour), expected_by_source)
+          << "seed " << seed << ", receiver " << i;
+      ContourQuery joined = query;
+      joined.join_sources = true;
+      chain_path.Build(joined, contour);
+      ASSERT_EQ(EvaluateContour(joined, contour, {}).value, expected)
+          << "seed " << seed << ", receiver " << i;
+      if (contour.is_joined) ++joined_count;
       ASSERT_EQ(actual, expected) << "seed " << seed << ", receiver " << i;
       if (i == 0) {
         const Rgb plain = EvaluateContour(query, PlainContour(query), {}).value;
@@ -289,6 +355,7 @@ TEST_P(PathsAgree, OnScenesOfAllKinds) {
   }
   EXPECT_GT(lit, count / 4);
   EXPECT_GT(dark, 0);
+  if (std::string(kind.name) == "CutLamps") EXPECT_GT(joined_count, count);
   for (const auto count_of : kind.must_occur)
     EXPECT_GT(counts.*count_of, 0U);
 }
@@ -350,6 +417,12 @@ INSTANTIATE_TEST_SUITE_P(
                            GlowingVoxels,
                            true,
                            {&ChainCounts::in_plane, &ChainCounts::entered}},
+                      Kind{"CutLamps",
+                           120,
+                           CutLamps,
+                           true,
+                           {&ChainCounts::diagonals, &ChainCounts::entered,
+                            &ChainCounts::in_plane, &ChainCounts::crossed}},
                       Kind{"FarAway",
                            40,
                            FarAway,

@@ -2,6 +2,7 @@
 #include "run/evaluation.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <oneapi/tbb/parallel_pipeline.h>
@@ -22,11 +23,14 @@ constexpr std::size_t kBlockBytes = std::size_t{1} << 20;
 
 /// Consecutive rows on their way through the pipeline.
 struct Block {
-  std::vector<ReceiverRow> rows;
-  std::vector<Receiver> receivers;  ///< theirs
+  std::vector<CsvRecord> records;  ///< as they were read; the first row_count
+  bool is_parsed = false;
+  std::size_t row_count = 0;        ///< before the first defect
+  std::vector<Receiver> receivers;  ///< of the rows
   std::vector<Irradiance> results;
-  EvaluationCounts counts;  ///< of the rows
-  std::string text;         ///< the rows with their results
+  EvaluationCounts counts;          ///< of the rows
+  std::string text;                 ///< the rows with their results
+  std::vector<Diagnostic> defects;  ///< of the row after them
 };
 
 bool IsInfinite(const Irradiance& irradiance) {
@@ -39,7 +43,24 @@ bool HasNoNumber(const Irradiance& irradiance) {
                      [](double value) { return std::isnan(value); });
 }
 
-/// First stage, serial: the next rows.
+/// Reads what the fields of the rows say, up to the first defect.
+void ParseRows(const ReceiverReader& reader, const Scene& scene, Block& block) {
+  block.is_parsed = true;
+  block.receivers.clear();
+  std::vector<Diagnostic> defects;
+  for (std::size_t i = 0; i < block.row_count; ++i) {
+    const auto fields = reader.Parse(block.records[i], defects);
+    if (!fields) {
+      block.row_count = i;
+      block.defects = std::move(defects);
+      return;
+    }
+    block.receivers.push_back(fields->receiver);
+    SetFace(scene, fields->face, block.receivers.back(), block.counts.faces);
+  }
+}
+
+/// First stage, serial: the next rows, of which only the ends are sought.
 ///
 /// The blocks are owned here and used in turn, because a pipeline that is
 /// stopped by an exception drops what it holds. No more than block_count are
@@ -47,47 +68,49 @@ bool HasNoNumber(const Irradiance& irradiance) {
 /// when its turn comes.
 class BlockReader {
  public:
-  BlockReader(ReceiverReader& reader, std::size_t block_count,
-              std::vector<Diagnostic>& defects)
-      : reader_(reader), blocks_(block_count), defects_(defects) {}
+  BlockReader(ReceiverReader& reader, const Scene& scene,
+              std::size_t block_count)
+      : reader_(reader), scene_(scene), blocks_(block_count) {}
 
-  /// Null at the end and at a defect.
+  /// Null at the end, after a defect and after Stop.
   Block* Next() {
     StopIfInterrupted();
     Block& block = blocks_[turn_++ % blocks_.size()];
-    block.rows.clear();
+    block.is_parsed = false;
+    block.row_count = 0;
+    block.counts = {};
     block.text.clear();
+    block.defects.clear();
     std::size_t bytes = 0;
     while (!ended_) {
-      ReceiverRow row;
-      ended_ = reader_.Next(row, defects_) != ReceiverReader::Status::kRow;
+      if (block.row_count == block.records.size()) block.records.emplace_back();
+      CsvRecord& record = block.records[block.row_count];
+      ended_ = reader_.NextRecord(record, block.defects) !=
+               ReceiverReader::Status::kRow;
       if (ended_) break;
-      bytes += row.text.size();
-      block.rows.push_back(std::move(row));
+      bytes += record.text().size();
+      ++block.row_count;
+      if (block.row_count == kBlockRows || bytes >= kBlockBytes) break;
+      if (reader_.HasBufferedBytes()) continue;
       // Rather a small block than to keep rows waiting for others that a pipe
-      // may bring later.
-      const bool full = block.rows.size() == kBlockRows ||
-                        bytes >= kBlockBytes || !reader_.HasBufferedBytes();
-      if (full) break;
+      // may bring later; and none is waited for after a defect.
+      ParseRows(reader_, scene_, block);
+      if (!block.defects.empty()) ended_ = true;
+      break;
     }
-    return block.rows.empty() ? nullptr : &block;
+    return block.row_count == 0 && block.defects.empty() ? nullptr : &block;
   }
+
+  /// Ends the reading. May be called by another thread.
+  void Stop() { ended_ = true; }
 
  private:
   ReceiverReader& reader_;
+  const Scene& scene_;
   std::vector<Block> blocks_;
-  std::vector<Diagnostic>& defects_;
   std::size_t turn_ = 0;
-  bool ended_ = false;
+  std::atomic<bool> ended_ = false;
 };
-
-void FindFaces(const Scene& scene, Block& block) {
-  block.receivers.clear();
-  for (const ReceiverRow& row : block.rows) {
-    block.receivers.push_back(row.receiver);
-    SetFace(scene, row.face, block.receivers.back(), block.counts.faces);
-  }
-}
 
 void CountBehindFaces(const Scene& scene, Block& block) {
   for (std::size_t i = 0; i < block.receivers.size(); ++i) {
@@ -113,13 +136,14 @@ void AppendFace(std::string& text, int face, char separator) {
   }
 }
 
-/// Second stage, parallel between blocks and within one.
-void EvaluateBlock(const Oracle& oracle, char separator, bool shows_faces,
-                   Block& block, Progress& progress) {
-  block.results.resize(block.rows.size());
-  block.counts = {};
-  block.counts.receivers = block.rows.size();
-  FindFaces(oracle.scene(), block);
+/// Second stage, parallel between blocks and within one: what the rows say, and
+/// their results.
+void EvaluateBlock(const Oracle& oracle, const ReceiverReader& reader,
+                   bool shows_faces, Block& block, Progress& progress) {
+  const char separator = reader.separator();
+  if (!block.is_parsed) ParseRows(reader, oracle.scene(), block);
+  block.counts.receivers = block.row_count;
+  block.results.resize(block.row_count);
   // Isolated: a thread that waits for the rest of its block must not take up
   // the first stage meanwhile and wait there for input.
   tbb::this_task_arena::isolate([&] {
@@ -134,8 +158,8 @@ void EvaluateBlock(const Oracle& oracle, char separator, bool shows_faces,
     if (IsInfinite(irradiance)) ++block.counts.overflowing;
     if (HasNoNumber(irradiance)) ++block.counts.unanswered;
   }
-  for (std::size_t i = 0; i < block.rows.size(); ++i) {
-    block.text += block.rows[i].text;
+  for (std::size_t i = 0; i < block.row_count; ++i) {
+    block.text += block.records[i].text();
     if (shows_faces)
       AppendFace(block.text, block.receivers[i].on_face, separator);
     AppendResult(block.text, block.results[i], oracle.options().method,
@@ -144,14 +168,19 @@ void EvaluateBlock(const Oracle& oracle, char separator, bool shows_faces,
   }
 }
 
-/// Third stage, serial and in order.
-void WriteBlock(const Block& block, RowSink& sink, EvaluationSummary& summary) {
-  sink.Take(block.text, block.counts);
+/// Third stage, serial and in order. What comes after a defect is not written.
+void WriteBlock(Block& block, RowSink& sink, EvaluationSummary& summary,
+                BlockReader& reader) {
+  if (!summary.defects.empty()) return;
+  if (block.row_count > 0) sink.Take(block.text, block.counts);
   summary += block.counts;
   for (const Irradiance& irradiance : block.results)
     summary.statistics += irradiance.statistics;
   for (const Receiver& receiver : block.receivers)
     summary.sample.Take(receiver);
+  if (block.defects.empty()) return;
+  summary.defects = std::move(block.defects);
+  reader.Stop();
 }
 
 /// Passes over what an earlier run has done.
@@ -195,19 +224,18 @@ EvaluationSummary Evaluate(const Oracle& oracle, ReceiverReader& reader,
               {});
   }
   const std::size_t block_count = 2 * static_cast<std::size_t>(task.threads);
-  BlockReader blocks(reader, block_count, summary.defects);
+  BlockReader blocks(reader, oracle.scene(), block_count);
   const auto read = [&blocks](tbb::flow_control& control) {
     Block* block = blocks.Next();
     if (block == nullptr) control.stop();
     return block;
   };
   const auto evaluate = [&](Block* block) {
-    EvaluateBlock(oracle, reader.separator(), task.shows_faces, *block,
-                  progress);
+    EvaluateBlock(oracle, reader, task.shows_faces, *block, progress);
     return block;
   };
-  const auto write = [&](const Block* block) {
-    WriteBlock(*block, sink, summary);
+  const auto write = [&](Block* block) {
+    WriteBlock(*block, sink, summary, blocks);
   };
   WithThreads(task.threads, [&] {
     tbb::parallel_pipeline(block_count,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <latch>
 #include <map>
+#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -86,15 +87,17 @@ void EvaluateShares(
     const Oracle& oracle, std::span<const Receiver> receivers,
     Progress& progress,
     const std::function<void(std::size_t, const Irradiance&)>& take) {
-  // One block of the oracle's after the other.
-  const std::size_t share_count =
+  // In blocks of the oracle's, several at a time while there are many: a call
+  // costs as much as some receivers.
+  const std::size_t block_count =
       (receivers.size() + kReceiverBlock - 1) / kReceiverBlock;
-  tbb::parallel_for(std::size_t{0}, share_count, [&](std::size_t share) {
-    const std::size_t first = share * kReceiverBlock;
-    const std::size_t count =
-        std::min(kReceiverBlock, receivers.size() - first);
+  const tbb::blocked_range<std::size_t> all(0, block_count);
+  tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& blocks) {
+    const std::size_t first = blocks.begin() * kReceiverBlock;
+    const std::size_t end =
+        std::min(blocks.end() * kReceiverBlock, receivers.size());
     progress.StopIfAsked();
-    oracle.Evaluate(receivers.subspan(first, count),
+    oracle.Evaluate(receivers.subspan(first, end - first),
                     [&](std::size_t i, const Irradiance& irradiance) {
                       take(first + i, irradiance);
                       progress.Advance();

@@ -27,8 +27,7 @@ std::optional<FaceChoice> FaceWords::Parse(std::string_view text,
     return ParseAuto(word, defect);
   const std::optional<double> number = ParseNumber(word);
   if (!number || std::trunc(*number) != *number) {
-    if (searches_.contains(word) || !GroupsNamed(scene_, word).empty())
-      return SearchOf(word, {word, {}});
+    if (IsName(word)) return SearchOf(word, {word, {}});
     defect = fmt::format(
         "{} is not the number of a face, the name of an object or group, or "
         "auto",
@@ -56,8 +55,18 @@ std::optional<FaceChoice> FaceWords::ParseAuto(const std::string& word,
   return std::nullopt;
 }
 
+/// Whether a word is the name of an object or a group.
+bool FaceWords::IsName(const std::string& word) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (searches_.contains(word)) return true;
+  }
+  return !GroupsNamed(scene_, word).empty();
+}
+
 FaceChoice FaceWords::SearchOf(const std::string& word,
                                const FaceSearch& search) {
+  const std::lock_guard lock(mutex_);
   return {0, &searches_.try_emplace(word, search).first->second};
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,8 +30,7 @@ struct FaceChoice {
   const FaceSearch* search = nullptr;  ///< instead of the number
 };
 
-/// Reads choices, for one scene. Keeps the searches that choices point to. For
-/// one thread.
+/// Reads choices, for one scene. Keeps the searches that choices point to.
 class FaceWords {
  public:
   /// scene: must outlive the object.
@@ -42,7 +42,7 @@ class FaceWords {
 
   /// N, NAME, auto or auto:D; a whole number is always a face's. The usual
   /// choice if the text is empty. Nothing if it is none of these; `defect` then
-  /// says why.
+  /// says why. May be called from several threads.
   std::optional<FaceChoice> Parse(std::string_view text, std::string& defect);
 
   /// What an empty text means; without it: no face.
@@ -55,10 +55,12 @@ class FaceWords {
  private:
   std::optional<FaceChoice> ParseAuto(const std::string& word,
                                       std::string& defect);
+  [[nodiscard]] bool IsName(const std::string& word);
   FaceChoice SearchOf(const std::string& word, const FaceSearch& search);
 
   const Scene& scene_;
   FaceChoice usual_;
+  std::mutex mutex_;                            ///< of searches_
   std::map<std::string, FaceSearch> searches_;  ///< by what the text says
 };
 

@@ -50,14 +50,20 @@ bool ReceiverReader::ReadHeader(std::vector<Diagnostic>& defects) {
   return defects.size() == defects_before;
 }
 
+ReceiverReader::Status ReceiverReader::NextRecord(
+    CsvRecord& record, std::vector<Diagnostic>& defects) {
+  if (std::exchange(is_row_read_, false)) {
+    record = record_;
+    return Status::kRow;
+  }
+  return truelux::NextRecord(csv_, record, defects);
+}
+
 ReceiverReader::Status ReceiverReader::Next(ReceiverRow& row,
                                             std::vector<Diagnostic>& defects) {
-  if (!std::exchange(is_row_read_, false)) {
-    const Status status = NextRecord(csv_, record_, defects);
-    if (status != Status::kRow) return status;
-  }
-  const std::optional<ReceiverFields> fields =
-      columns_.Parse(csv_, record_, defects);
+  const Status status = NextRecord(record_, defects);
+  if (status != Status::kRow) return status;
+  const std::optional<ReceiverFields> fields = Parse(record_, defects);
   if (!fields) return Status::kDefect;
   row.text = record_.text();
   row.receiver = fields->receiver;

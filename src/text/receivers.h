@@ -4,6 +4,7 @@
 #ifndef TRUELUX_TEXT_RECEIVERS_H_
 #define TRUELUX_TEXT_RECEIVERS_H_
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,6 +62,18 @@ class ReceiverReader {
 
   /// Reads the next row. May be called again after a defect.
   Status Next(ReceiverRow& row, std::vector<Diagnostic>& defects);
+
+  /// Reads the next row without a look at what its fields say. May be called
+  /// again after a defect.
+  Status NextRecord(CsvRecord& record, std::vector<Diagnostic>& defects);
+
+  /// What the fields of a row say; nothing, and a defect for each thing that is
+  /// wrong, if they are defective. May be called from several threads, also
+  /// while another one reads.
+  [[nodiscard]] std::optional<ReceiverFields> Parse(
+      const CsvRecord& record, std::vector<Diagnostic>& defects) const {
+    return columns_.Parse(csv_, record, defects);
+  }
 
   /// False if Next would have to ask the source for more bytes.
   [[nodiscard]] bool HasBufferedBytes() const {

@@ -34,7 +34,7 @@ struct SilhouetteEdge {
 /// edge is inner, seen from r, if exactly two pieces have it, run through it in
 /// opposite directions, and both show r the same side. Whole subtrees of inner
 /// edges are left out: those where N . (t - r) has one sign for all normals N
-/// and planes of a bound (method.md, section 5). Immutable; any number of
+/// and planes of a bound (method.md, section 11). Immutable; any number of
 /// threads may ask it. The same scene makes the same tree.
 class SilhouetteTree {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The visible contour of one source from its chain (method.md, section 5).
+// The visible contour of one source from its chain (method.md, section 11).
 
 #ifndef TRUELUX_VISIBILITY_CHAIN_CHAIN_CONTOUR_H_
 #define TRUELUX_VISIBILITY_CHAIN_CHAIN_CONTOUR_H_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The chain of a source (method.md, section 5): the sum of the boundaries of
+// The chain of a source (method.md, section 11): the sum of the boundaries of
 // all blockers, each counter-clockwise as seen from r. What is left of it are
 // silhouette edges, borders and cuts with the source's plane.
 

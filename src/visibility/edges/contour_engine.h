@@ -30,7 +30,7 @@ using EmitterId = Id<struct EmitterTag>;
 enum class ContourPath {
   kByCost,    ///< the cheaper one, for each source and receiver
   kBlockers,  ///< by what each blocker hides (method.md, section 4)
-  kChain,     ///< by the chain of the blockers (method.md, section 5)
+  kChain,     ///< by the chain of the blockers (method.md, section 11)
   /// The same, each depth asked of the tree, too: for tests. std::logic_error
   /// is thrown where it is another one.
   kCheckedChain,

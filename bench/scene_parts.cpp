@@ -15,14 +15,16 @@ namespace {
 
 using Vec = Vec3<double>;
 
+constexpr double kLeg = 0.05;
+
+}  // namespace
+
 Vec RandomUnit(PortableRandom& random) {
   const double z = random.Uniform(-1, 1);
   const double angle = random.Uniform(0, 2 * std::numbers::pi);
   const double radius = std::sqrt(1 - z * z);
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
-
-}  // namespace
 
 TestFace UnitLamp() {
   return {testing::Ceiling(-0.5, 0.5, -0.5, 0.5, 1), kWhite};
@@ -106,6 +108,29 @@ void AppendBox(std::vector<TestFace>& faces, const Point3& a, const Point3& b) {
                 {b.x, a.y, b.z}},
        }) {
     faces.push_back({ring, testing::kBlack});
+  }
+}
+
+void AppendTable(std::vector<TestFace>& faces, double x0, double x1, double y0,
+                 double y1, double height, double thickness) {
+  const double under = height - thickness;
+  AppendBox(faces, {x0, y0, under}, {x1, y1, height});
+  for (const double x : {x0, x1 - kLeg}) {
+    for (const double y : {y0, y1 - kLeg})
+      AppendBox(faces, {x, y, 0}, {x + kLeg, y + kLeg, under});
+  }
+}
+
+void AppendShell(std::vector<TestFace>& faces) {
+  faces.push_back({testing::Floor(0, 5, 0, 4, 0), testing::kBlack});
+  faces.push_back({testing::Ceiling(0, 5, 0, 4, 2.6), testing::kBlack});
+  for (const Ring& wall : {
+           Ring{{0, 0, 0}, {0, 0, 2.6}, {5, 0, 2.6}, {5, 0, 0}},
+           Ring{{0, 4, 0}, {5, 4, 0}, {5, 4, 2.6}, {0, 4, 2.6}},
+           Ring{{0, 0, 0}, {0, 4, 0}, {0, 4, 2.6}, {0, 0, 2.6}},
+           Ring{{5, 0, 0}, {5, 0, 2.6}, {5, 4, 2.6}, {5, 4, 0}},
+       }) {
+    faces.push_back({wall, testing::kBlack});
   }
 }
 

@@ -11,6 +11,7 @@
 #include "truelux/receiver.h"
 #include "truelux/scene.h"
 
+#include "exact/vec3.h"
 #include "support/portable_random.h"
 #include "support/scenes.h"
 
@@ -27,6 +28,9 @@ TestFace UnitLamp();
 
 /// Coordinates to the nearest float.
 Point3 ToFloat(const Point3& p);
+
+/// A direction, all alike probable.
+Vec3<double> RandomUnit(PortableRandom& random);
 
 /// An equilateral triangle of a circumradius, turned at random.
 Ring RandomTriangle(PortableRandom& random, const Point3& centre,
@@ -46,6 +50,14 @@ std::vector<Receiver> PenumbraReceivers(const Scene& scene,
 /// Appends the six sides of the box between two opposite corners, black,
 /// fronts outwards.
 void AppendBox(std::vector<TestFace>& faces, const Point3& a, const Point3& b);
+
+/// Appends a slab on four legs, the corners of the slab given on the floor.
+void AppendTable(std::vector<TestFace>& faces, double x0, double x1, double y0,
+                 double y1, double height, double thickness);
+
+/// Appends floor, ceiling and walls of a room 5 by 4 by 2.6, black, fronts
+/// inwards.
+void AppendShell(std::vector<TestFace>& faces);
 
 }  // namespace truelux::bench
 

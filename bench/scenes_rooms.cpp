@@ -15,19 +15,6 @@
 namespace truelux::bench {
 namespace {
 
-constexpr double kLeg = 0.05;
-
-/// A slab on four legs, the corners of the slab given on the floor.
-void AppendTable(std::vector<TestFace>& faces, double x0, double x1, double y0,
-                 double y1, double height, double thickness) {
-  const double under = height - thickness;
-  AppendBox(faces, {x0, y0, under}, {x1, y1, height});
-  for (const double x : {x0, x1 - kLeg}) {
-    for (const double y : {y0, y1 - kLeg})
-      AppendBox(faces, {x, y, 0}, {x + kLeg, y + kLeg, under});
-  }
-}
-
 void AppendChair(std::vector<TestFace>& faces, double x, double y) {
   constexpr double kSeat = 0.45;
   AppendTable(faces, x, x + kSeat, y, y + kSeat, kSeat, 0.04);
@@ -77,16 +64,7 @@ TestFace GridLampFace() {
 BenchScene MakeRoom(int receivers, std::uint64_t seed) {
   std::vector<TestFace> faces;
   AppendLamp(faces, 2.5, 2);
-  faces.push_back({testing::Floor(0, 5, 0, 4, 0), testing::kBlack});
-  faces.push_back({testing::Ceiling(0, 5, 0, 4, 2.6), testing::kBlack});
-  for (const Ring& wall : {
-           Ring{{0, 0, 0}, {0, 0, 2.6}, {5, 0, 2.6}, {5, 0, 0}},
-           Ring{{0, 4, 0}, {5, 4, 0}, {5, 4, 2.6}, {0, 4, 2.6}},
-           Ring{{0, 0, 0}, {0, 4, 0}, {0, 4, 2.6}, {0, 0, 2.6}},
-           Ring{{5, 0, 0}, {5, 0, 2.6}, {5, 4, 2.6}, {5, 4, 0}},
-       }) {
-    faces.push_back({wall, testing::kBlack});
-  }
+  AppendShell(faces);
   AppendTable(faces, 1.8, 3.2, 1.6, 2.4, 0.75, 0.04);
   AppendChair(faces, 1.3, 1.775);
   AppendChair(faces, 2.1, 2.6);

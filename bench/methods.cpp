@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "methods.h"
 
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
 #include "truelux/irradiance.h"
 
+#include "base/receiver_block.h"
 #include "polygon_set.h"
+#include "radiometry/evaluate.h"
+#include "radiometry/evaluation_workspace.h"
 
 namespace truelux::bench {
 
@@ -17,6 +26,38 @@ Contender DoubleMethod(const BenchScene& scene) {
 
 Contender UnfilteredMethod(const BenchScene& scene) {
   return UnfilteredContender(scene.scene, kUnfilteredName);
+}
+
+Contender ContourPathMethod(const BenchScene& scene, ContourPath path,
+                            const std::string& name) {
+  /// What one thread needs.
+  struct State {
+    State(const Scene& s, ContourPath p) : engine(s, p), builder(engine) {}
+
+    ContourEngine engine;
+    ContourBuilder builder;
+    Contour contour;
+    EvaluationWorkspace evaluation;
+  };
+
+  const auto state = std::make_shared<State>(scene.scene, path);
+  const auto run = [state](std::span<const Receiver> receivers) {
+    std::vector<std::optional<Irradiance>> results;
+    results.reserve(receivers.size());
+    ContourQuery query{state->engine.scene(), {}, {}, true};
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+      if (i % kReceiverBlock == 0) {
+        state->builder.StartBlock(receivers.subspan(
+            i, std::min(kReceiverBlock, receivers.size() - i)));
+      }
+      query.receiver = receivers[i];
+      state->builder.Build(query, state->contour);
+      results.emplace_back(
+          EvaluateContour(query, state->contour, {}, state->evaluation));
+    }
+    return results;
+  };
+  return {name, name, run};
 }
 
 Contender ArrangementMethod(const BenchScene& scene,

@@ -9,6 +9,7 @@
 
 #include "baselines/contender.h"
 #include "scenes.h"
+#include "visibility/edges/contour_engine.h"
 
 namespace truelux::bench {
 
@@ -16,6 +17,8 @@ namespace truelux::bench {
 inline constexpr const char* kCertifiedName = "truelux certified";
 inline constexpr const char* kDoubleName = "truelux double";
 inline constexpr const char* kUnfilteredName = "unfiltered predicates";
+inline constexpr const char* kBlockersName = "contour by blockers";
+inline constexpr const char* kChainName = "contour by chain";
 inline constexpr const char* kPolygonSetName = "CGAL Polygon_set_2";
 
 /// E by the default engine: the nearest binary64.
@@ -27,6 +30,11 @@ Contender DoubleMethod(const BenchScene& scene);
 /// The default engine with predicates in double without any filter, summed in
 /// double. May be wrong. For one thread.
 Contender UnfilteredMethod(const BenchScene& scene);
+
+/// E by the default engine made to find contours one way, as the oracle does
+/// it: blocks of receivers share what they find. For one thread.
+Contender ContourPathMethod(const BenchScene& scene, ContourPath path,
+                            const std::string& name);
 
 /// The second engine, on a few receivers.
 Contender ArrangementMethod(const BenchScene& scene, std::size_t max_receivers);

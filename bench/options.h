@@ -12,6 +12,7 @@ namespace truelux::bench {
 struct Options {
   bool quick = false;      ///< few receivers, small grid, about a minute
   std::string only;        ///< scenes whose names contain this; "": all
+  std::string meshes;      ///< folder with OBJ files to measure; "": none
   std::string svg;         ///< where to draw the chart; "": nowhere
   std::string csv;         ///< where to write all measurements; "": nowhere
   std::uint64_t seed = 1;  ///< of scenes, receivers and samples
@@ -26,6 +27,10 @@ struct Options {
   [[nodiscard]] bool Wants(const std::string& scene) const {
     return scene.find(only) != std::string::npos;
   }
+
+  /// Whether scenes of the mesh suite are. They take minutes, so that a run of
+  /// everything leaves them out; all their names begin alike.
+  [[nodiscard]] bool WantsMeshes() const { return only.starts_with("meshes"); }
 };
 
 }  // namespace truelux::bench

@@ -65,6 +65,41 @@ BenchScene MakeOverlapping(int count, int receivers, std::uint64_t seed);
 BenchScene MakeLamps(int count, bool shared_edges, int receivers,
                      std::uint64_t seed);
 
+/// A smooth sphere of radius 1 with 2 n (n - 1) triangles around the origin,
+/// under a lamp larger than its shadow. Receivers at z = -4, |x|, |y| <= 0.5.
+BenchScene MakeSmoothSphere(int n, int receivers, std::uint64_t seed);
+
+/// The same with a closed body of 8 n^2 triangles of unequal areas, with bumps
+/// and the noise of a scan, 1e-3 of its size.
+BenchScene MakeScan(int n, int receivers, std::uint64_t seed);
+
+/// The same with side * side receivers in rows, a multiple of 4, one tile of
+/// 4 x 4 after the other, as in an image.
+BenchScene MakeScanGrid(int n, int side, std::uint64_t seed);
+
+/// Hills of 64 x 64 columns of unit cubes, of which only the outer faces are
+/// there. The lamp lies above the middle. Receivers just above the columns, kept
+/// as for a slab.
+BenchScene MakeVoxels(int receivers, std::uint64_t seed);
+
+/// `leaves` small rhombi that share no corners, in clusters of 500. Receivers
+/// kept as for a slab.
+BenchScene MakeFoliage(int leaves, int receivers, std::uint64_t seed);
+
+/// The source cut into columns * rows rectangles that share their corners, with
+/// a sphere of 220 triangles below it.
+BenchScene MakeMeshLamp(int columns, int rows, int receivers,
+                        std::uint64_t seed);
+
+/// The room with two lamps at its ceiling, and `objects` meshes of 480 to 2704
+/// triangles each on its floor and on two tables. Receivers between them.
+BenchScene MakeFurnishedRoom(int objects, int receivers, std::uint64_t seed);
+
+/// The triangles of FOLDER/NAME.obj, scaled into a unit box, under a lamp.
+/// Receivers around and below it. Throws UserError if it cannot be read.
+BenchScene MakeFileMesh(const std::string& folder, const std::string& name,
+                        int receivers);
+
 /// A wavy surface of `triangles` triangles (an even number) with shared
 /// vertices, as the text of an OBJ file.
 std::string TerrainObj(int triangles);

@@ -40,11 +40,17 @@ constexpr const char* kPreamble =
 void AddOptions(CLI::App& app, Options& options) {
   app.add_flag("--quick", options.quick,
                "few receivers and a small grid; about a minute");
-  app.add_option("--only", options.only, "only scenes whose names contain this")
+  app.add_option("--only", options.only,
+                 "only scenes whose names contain this; those whose names "
+                 "begin with meshes are left out without it")
       ->type_name("TEXT");
   app.add_option("--seed", options.seed, "of scenes, receivers and samples")
       ->capture_default_str()
       ->type_name("N");
+  app.add_option("--meshes", options.meshes,
+                 "for --only meshes: measure teapot.obj, torus3.obj and "
+                 "bunny_lowres.obj of this folder, too")
+      ->type_name("FOLDER");
   app.add_option("--csv", options.csv, "write all measurements as a table")
       ->type_name("FILE");
   app.add_option("--svg", options.svg,

@@ -27,6 +27,7 @@ struct Choice {
   std::vector<int> rows;            ///< of the scanline quadrature
   bool arrangement = false;
   bool polygon_set = false;
+  bool contour_paths = false;  ///< these, instead of sums in double
 };
 
 const std::vector<int> kAllSamples = {64, 256, 1024, 4096, 16384};
@@ -37,6 +38,10 @@ const Choice kMedium = {
     {256, 1024, 4096}, {1024, 4096}, {256, 2048}, true, false};
 const Choice kShort = {{1024}, {1024}, {}, false, false};
 const Choice kShortAndPolygonSet = {{1024}, {1024}, {2048}, false, true};
+const Choice kMeshes = {{1024}, {}, {}, false, false, true};
+
+/// Meshes that --meshes FOLDER has.
+constexpr const char* kFileMeshes[] = {"teapot", "torus3", "bunny_lowres"};
 
 /// A scene that is made only if it is wanted.
 struct Recipe {
@@ -64,9 +69,16 @@ void AppendSampled(const BenchScene& scene, const Choice& choice,
 
 Task MakeTask(const BenchScene& scene, const Choice& choice,
               const Options& options) {
-  Task task{
-      &scene,
-      {CertifiedMethod(scene), DoubleMethod(scene), UnfilteredMethod(scene)}};
+  Task task{&scene, {CertifiedMethod(scene)}};
+  if (choice.contour_paths) {
+    task.methods.push_back(
+        ContourPathMethod(scene, ContourPath::kBlockers, kBlockersName));
+    task.methods.push_back(
+        ContourPathMethod(scene, ContourPath::kChain, kChainName));
+  } else {
+    task.methods.push_back(DoubleMethod(scene));
+    task.methods.push_back(UnfilteredMethod(scene));
+  }
   AppendSampled(scene, choice, options.seed, task.methods);
   for (const int rows : choice.rows)
     task.methods.push_back(ScanlineContender(scene.scene, rows));
@@ -79,10 +91,27 @@ Task MakeTask(const BenchScene& scene, const Choice& choice,
   return task;
 }
 
+/// How the two ways of the contour engine compare, and its choice with shadow
+/// rays.
+std::string PathRemark(const std::vector<Measurement>& of_scene) {
+  const Measurement& certified = of_scene.front();
+  const auto ratio_to = [&](const std::string& method) -> std::string {
+    const Measurement* other = Find(of_scene, certified.scene, method);
+    if (other == nullptr) return "-";
+    return fmt::format("{:.3g}", Ratio(certified, *other));
+  };
+  return fmt::format(
+      "certified / {0}: {1}; certified / {2}: {3}; certified / {4}: {5}",
+      SampledName(SamplePattern::kSobol, 1024),
+      ratio_to(SampledName(SamplePattern::kSobol, 1024)), kBlockersName,
+      ratio_to(kBlockersName), kChainName, ratio_to(kChainName));
+}
+
 /// What the table of a scene does not say by itself.
-std::vector<std::string> Remarks(const BenchScene& scene,
-                                 const Choice& choice) {
+std::vector<std::string> Remarks(const BenchScene& scene, const Choice& choice,
+                                 const std::vector<Measurement>& of_scene) {
   std::vector<std::string> remarks;
+  if (choice.contour_paths) remarks.push_back(PathRemark(of_scene));
   if (choice.arrangement &&
       scene.scene.triangles().size() > kArrangementTriangles) {
     remarks.push_back(
@@ -153,7 +182,63 @@ std::vector<Suite> AllSuites(const Options& options) {
   return suites;
 }
 
-void Run(const Suite& suite, const Options& options,
+/// One by one, since several would not fit into memory; but the lamps take
+/// turns.
+std::vector<Suite> MeshSuites(const Options& options) {
+  const std::uint64_t seed = options.seed;
+  std::vector<Suite> suites;
+  const auto add = [&suites](const std::string& name,
+                             std::function<BenchScene()> make) {
+    suites.push_back({{name, std::move(make), &kMeshes}});
+  };
+  for (const int n : {40, 187, 388}) {
+    add(fmt::format("meshes_sphere_{}", 2 * n * (n - 1)),
+        [=] { return MakeSmoothSphere(n, options.Size(4, 20), seed); });
+  }
+  add("meshes_bumpy_300312", [=] {
+    BenchScene bumpy = MakeSphere(388, options.Size(2, 8), seed);
+    bumpy.name = "meshes_bumpy_300312";
+    return bumpy;
+  });
+  add("meshes_scan_70688",
+      [=] { return MakeScan(94, options.Size(4, 20), seed); });
+  add("meshes_scan_70688_grid",
+      [=] { return MakeScanGrid(94, options.Size(8, 32), seed); });
+  add("meshes_room",
+      [=] { return MakeFurnishedRoom(30, options.Size(20, 100), seed); });
+  add("meshes_voxels", [=] { return MakeVoxels(options.Size(10, 40), seed); });
+  add("meshes_leaves_20000",
+      [=] { return MakeFoliage(20000, options.Size(2, 10), seed); });
+  suites.push_back(
+      {{"meshes_lamp_1",
+        [=] { return MakeMeshLamp(1, 1, options.Size(4, 20), seed); },
+        &kMeshes},
+       {"meshes_lamp_1000",
+        [=] { return MakeMeshLamp(40, 25, options.Size(2, 10), seed); },
+        &kMeshes},
+       {"meshes_lamp_10000",
+        [=] { return MakeMeshLamp(125, 80, options.Size(1, 3), seed); },
+        &kMeshes}});
+  if (!options.meshes.empty()) {
+    for (const char* name : kFileMeshes) {
+      add(fmt::format("meshes_{}", name),
+          [=] { return MakeFileMesh(options.meshes, name, 24); });
+    }
+  }
+  return suites;
+}
+
+/// Says so if scenes are asked for that are in files.
+void PrintMissingFiles(const Options& options) {
+  if (!options.meshes.empty()) return;
+  for (const char* name : kFileMeshes) {
+    if (options.Wants(fmt::format("meshes_{}", name)))
+      fmt::print("\nmeshes_{0}: left out, no --meshes FOLDER with {0}.obj\n",
+                 name);
+  }
+}
+
+void Run(const Suite& suite, const Limits& limits, const Options& options,
          std::vector<Measurement>& all) {
   std::vector<BenchScene> scenes;
   std::vector<const Choice*> choices;
@@ -166,14 +251,13 @@ void Run(const Suite& suite, const Options& options,
   std::vector<Task> tasks;
   for (std::size_t i = 0; i < scenes.size(); ++i)
     tasks.push_back(MakeTask(scenes[i], *choices[i], options));
-  const Limits limits{options.Size(3, 7), options.Size(4.0, 120.0)};
   const std::vector<Measurement> measured = Measure(tasks, limits);
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     std::vector<Measurement> of_scene;
     for (const Measurement& m : measured) {
       if (m.scene == scenes[i].name) of_scene.push_back(m);
     }
-    PrintScene(scenes[i], of_scene, Remarks(scenes[i], *choices[i]));
+    PrintScene(scenes[i], of_scene, Remarks(scenes[i], *choices[i], of_scene));
     all.insert(all.end(), of_scene.begin(), of_scene.end());
   }
 }
@@ -182,8 +266,14 @@ void Run(const Suite& suite, const Options& options,
 
 std::vector<Measurement> RunSuites(const Options& options) {
   std::vector<Measurement> all;
+  const Limits limits{options.Size(3, 7), options.Size(4.0, 120.0)};
   for (const Suite& suite : AllSuites(options))
-    Run(suite, options, all);
+    Run(suite, limits, options, all);
+  if (!options.WantsMeshes()) return all;
+  const Limits mesh_limits{options.Size(3, 5), options.Size(4.0, 20.0)};
+  for (const Suite& suite : MeshSuites(options))
+    Run(suite, mesh_limits, options, all);
+  PrintMissingFiles(options);
   return all;
 }
 

@@ -40,17 +40,33 @@ std::vector<Receiver> ScatteredBelow(PortableRandom& random, int count,
 }
 
 /// side * side receivers, |x|, |y| <= half, in tiles of 4 x 4 one after the
-/// other.
-std::vector<Receiver> TiledBelow(int side, double half, double z) {
+/// other. The order of the tiles is random, so that the first receivers stand
+/// for all.
+std::vector<Receiver> TiledBelow(PortableRandom& random, int side, double half,
+                                 double z) {
   constexpr int kTile = 4;
+
+  struct Corner {
+    int row = 0;
+    int column = 0;
+  };
+
+  std::vector<Corner> tiles;
+  for (int row = 0; row < side; row += kTile) {
+    for (int column = 0; column < side; column += kTile)
+      tiles.push_back({row, column});
+  }
+  for (std::size_t left = tiles.size(); left > 1; --left) {
+    const int drawn = random.Integer(0, static_cast<int>(left) - 1);
+    std::swap(tiles[left - 1], tiles[static_cast<std::size_t>(drawn)]);
+  }
   const auto at = [&](int i) { return half * (2 * (i + 0.5) / side - 1); };
   std::vector<Receiver> receivers;
-  for (int row = 0; row < side; row += kTile) {
-    for (int column = 0; column < side; column += kTile) {
-      for (int i = 0; i < kTile * kTile; ++i) {
-        receivers.push_back(
-            {{at(column + i % kTile), at(row + i / kTile), z}, {0, 0, 1}, 0});
-      }
+  for (const Corner& tile : tiles) {
+    for (int i = 0; i < kTile * kTile; ++i) {
+      const double x = at(tile.column + i % kTile);
+      const double y = at(tile.row + i / kTile);
+      receivers.push_back({{x, y, z}, {0, 0, 1}, 0});
     }
   }
   return receivers;
@@ -153,7 +169,8 @@ BenchScene MakeScan(int n, int receivers, std::uint64_t seed) {
 BenchScene MakeScanGrid(int n, int side, std::uint64_t seed) {
   BenchScene scan = MakeScan(n, 0, seed);
   scan.name += "_grid";
-  scan.receivers = TiledBelow(side, 0.5, kFarBelow);
+  PortableRandom random(seed + 1);
+  scan.receivers = TiledBelow(random, side, 0.5, kFarBelow);
   return scan;
 }
 

@@ -20,6 +20,9 @@ namespace {
 /// Beyond this the arrangement engine takes too long to be waited for.
 constexpr std::size_t kArrangementTriangles = 300;
 
+/// So many receivers at most by blockers, which takes long on large meshes.
+constexpr std::size_t kMostByBlockers = 128;
+
 /// How much is measured on a scene.
 struct Choice {
   std::vector<int> samples;         ///< of shadow rays, in Sobol's order
@@ -73,6 +76,7 @@ Task MakeTask(const BenchScene& scene, const Choice& choice,
   if (choice.contour_paths) {
     task.methods.push_back(
         ContourPathMethod(scene, ContourPath::kBlockers, kBlockersName));
+    task.methods.back().max_receivers = kMostByBlockers;
     task.methods.push_back(
         ContourPathMethod(scene, ContourPath::kChain, kChainName));
   } else {

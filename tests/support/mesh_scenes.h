@@ -61,7 +61,9 @@ inline std::vector<Ring> VoxelMesh(PortableRandom& random, int n, int one_in,
     full[i] = random.OneIn(one_in);
   const auto is_full = [&](int x, int y, int z) {
     if (x < 0 || y < 0 || z < 0 || x >= n || y >= n || z >= n) return false;
-    return bool{full[static_cast<std::size_t>((x * n + y) * n + z)]};
+    const auto column =
+        static_cast<std::size_t>(x) * cells + static_cast<std::size_t>(y);
+    return bool{full[column * cells + static_cast<std::size_t>(z)]};
   };
   std::vector<Ring> faces;
   for (int x = 0; x < n; ++x) {

@@ -5,6 +5,7 @@
 #define TRUELUX_SCENE_INDEX_RAY_BOXES_H_
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -41,7 +42,8 @@ class RayBoxes {
   }
 
   /// The rays of all directions whose components differ from the given ones by
-  /// at most direction.error. end: none is asked for beyond this t.
+  /// at most direction.error. end: none is asked for beyond this t. Requires that
+  /// some component exceeds the error.
   RayBoxes(const Point3& origin, const ApproxVector& direction, double end)
       : end_(end) {
     const std::array<double, 3> from{origin.x, origin.y, origin.z};
@@ -61,6 +63,7 @@ class RayBoxes {
       if (width < HUGE_VAL)
         across_[across_count_++] = {from[k] + width, -(width - from[k]), k};
     }
+    assert(slab_count_ > 0);
   }
 
   /// From now on the ray ends at this parameter t.

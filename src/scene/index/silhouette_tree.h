@@ -43,8 +43,8 @@ class SilhouetteTree {
   /// What the arguments refer to need not live on.
   SilhouetteTree(const Scene& scene, const ConvexPieces& pieces);
 
-  /// Calls visit(SilhouetteEdge) -> bool, once, for edges that meet the shaft,
-  /// among them all that meet it and are not inner for some receiver in the box
+  /// Calls visit(SilhouetteEdge) -> bool, once, for edges near the shaft, among
+  /// them all that meet it and are not inner for some receiver in the box
   /// `receivers`, as long as it returns true. Returns whether it always did.
   /// The order depends on the tree alone. Requires RoundUpward.
   template <class Function>
@@ -63,11 +63,11 @@ class SilhouetteTree {
   /// visited, zero normals and bounds of both signs.
   struct Node {
     FourBoxes boxes;
-    std::array<LaneArray, 3> centre;
-    std::array<LaneArray, 3> least_normal;
-    std::array<LaneArray, 3> most_normal;
-    LaneArray least_offset;
-    LaneArray most_offset;
+    std::array<LaneArray, 3> centre{};
+    std::array<LaneArray, 3> least_normal{};
+    std::array<LaneArray, 3> most_normal{};
+    LaneArray least_offset{};
+    LaneArray most_offset{};
     std::array<std::int32_t, 4> children{};  ///< ~leaf, or a node
     std::uint32_t count = 0;                 ///< of children
   };

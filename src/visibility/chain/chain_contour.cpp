@@ -112,8 +112,8 @@ std::optional<int> ChainContour<Geometry>::SweepOutlineEdge(
     lit.reset();
   };
   depth = sweep_.ForEachStretch(
-      *depth, 0,
-      [&](const EdgePosition& begin, const EdgePosition&, int over, int, int) {
+      *depth,
+      [&](const EdgePosition& begin, int over, int) {
         if (checks_depths_) CheckDepth(edge, begin, true, over);
         if (over != 0) {
           add(begin);
@@ -191,11 +191,10 @@ bool ChainContour<Geometry>::FindIntervals(const ViewEdge& edge) {
 template <class Geometry>
 void ChainContour<Geometry>::AddChainArcs(ChainEdgeId id,
                                           const EdgePosition& begin,
-                                          const EdgePosition& end,
-                                          bool positive) {
+                                          const EdgePosition& end) {
   const ChainEdge& c = chain_.edges()[id];
   const auto add = [&](const EdgePosition& from, const EdgePosition& to) {
-    arcs_->push_back({c.edge, {from, to, positive}, c.owner, kNoEdge});
+    arcs_->push_back({c.edge, {from, to, false}, c.owner, kNoEdge});
   };
   if (intervals_.size() == 1) {
     add(begin, end);
@@ -281,27 +280,19 @@ void ChainContour<Geometry>::SweepChainEdge(ChainEdgeId id) {
     if (depth_.hides_all()) return;
   }
   std::optional<EdgePosition> lit;
-  bool positive = false;
   const auto add = [&](const EdgePosition& to) {
-    if (lit) AddChainArcs(id, *lit, to, positive);
+    if (lit) AddChainArcs(id, *lit, to);
     lit.reset();
   };
   const int depth = sweep_.ForEachStretch(
-      *known, c.coefficient,
-      [&](const EdgePosition& from, const EdgePosition&, int negative_depth,
-          int difference, int earlier) {
-        if (checks_depths_) {
-          CheckDepth(c.edge, from, false, negative_depth);
-          CheckDepth(c.edge, from, true, negative_depth + difference);
-        }
-        const bool is_lit =
-            earlier == 0 && difference != 0 &&
-            (negative_depth == 0 || negative_depth + difference == 0);
-        const bool is_positive = negative_depth != 0;
-        if (lit && (!is_lit || positive != is_positive)) add(from);
-        if (is_lit && !lit) {
+      *known,
+      [&](const EdgePosition& from, int over, int earlier) {
+        if (checks_depths_) CheckDepth(c.edge, from, false, over);
+        // Over the positive side there is at least the edge's own blocker.
+        if (over != 0 || earlier != 0) {
+          add(from);
+        } else if (!lit) {
           lit = from;
-          positive = is_positive;
         }
       },
       [&](const DepthJump& jump, int least_depth) {

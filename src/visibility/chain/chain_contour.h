@@ -103,7 +103,7 @@ class ChainContour {
   void CheckDepth(const ViewEdge& edge, const EdgePosition& position,
                   bool on_positive, int depth);
   void AddChainArcs(ChainEdgeId id, const EdgePosition& begin,
-                    const EdgePosition& end, bool positive);
+                    const EdgePosition& end);
   void Propagate(ChainEdgeId id, int depth);
   bool SortSpokes(ViewPlaneId plane);
 

@@ -7,7 +7,7 @@
 namespace truelux {
 
 /// Adds the interval along which another edge, in the plane of the swept one,
-/// lies on it. Both sides of the interval belong to the edge with the least id.
+/// lies on it. The interval belongs to the edge with the least id.
 template <class Geometry>
 void EdgeSweep<Geometry>::AddOverlap(ChainEdgeId other) {
   const ViewEdge& e = edge_;
@@ -33,12 +33,9 @@ void EdgeSweep<Geometry>::AddOverlap(ChainEdgeId other) {
   if (!overlaps || IsSource()) return;
   assert(cover.side != Sign::kZero);
   ++counts_.overlaps;
-  // The owner lies on the positive side of its edge, which is the deeper one.
-  const int more =
-      cover.side == Sign::kPositive ? f.coefficient : -f.coefficient;
-  const int earlier = other < self_ ? 1 : 0;
-  jumps_.push_back({cover.begin, 0, more, earlier, ChainEdgeId()});
-  jumps_.push_back({cover.end, 0, -more, -earlier, ChainEdgeId()});
+  if (self_ < other) return;
+  jumps_.push_back({cover.begin, 0, 1, ChainEdgeId()});
+  jumps_.push_back({cover.end, 0, -1, ChainEdgeId()});
 }
 
 /// Adds where another chain edge crosses the swept one inside the interval, or
@@ -72,7 +69,7 @@ void EdgeSweep<Geometry>::TryJump(ChainEdgeId other) {
   if (q == Sign::kZero && p != swept_side) return;
   const EdgePosition at = MakeCrossing(f.edge.plane, u, v);
   if (!is_whole_ && (!IsBefore(begin_, at) || !IsBefore(at, end_))) return;
-  jumps_.push_back({at, enters ? f.coefficient : -f.coefficient, 0, 0, other,
+  jumps_.push_back({at, enters ? f.coefficient : -f.coefficient, 0, other,
                     first != swept_side, p != Sign::kZero && q != Sign::kZero});
 }
 

@@ -20,10 +20,9 @@ namespace truelux {
 /// Where the depth changes along an edge.
 struct DepthJump {
   EdgePosition at;
-  int change = 0;      ///< of the depth on the side that is swept
-  int difference = 0;  ///< of the positive side's depth less the negative's
-  int earlier = 0;     ///< of the number of edges that own arcs before this one
-  ChainEdgeId edge;    ///< that crosses; none where one begins to overlap
+  int change = 0;    ///< of the depth on the side that is swept
+  int earlier = 0;   ///< of the number of edges that own arcs before this one
+  ChainEdgeId edge;  ///< that crosses; none where one begins to overlap
   bool leaves = false;     ///< the edge that crosses goes to the swept side
   bool is_proper = false;  ///< it crosses from side to side
 };
@@ -69,12 +68,12 @@ class EdgeSweep {
   /// there, except those that share it by its id with a chain edge.
   [[nodiscard]] bool ends_alone() const { return ends_alone_; }
 
-  /// Calls visit(begin, end, depth, difference, earlier) for every stretch
-  /// between jumps, and crossed(jump, depth) for those that are alone in their
-  /// place; there depth is the lesser one of those before and after. depth,
-  /// difference: at the begin. Returns the depth before the end.
+  /// Calls visit(begin, depth, earlier) for every stretch between jumps, and
+  /// crossed(jump, depth) for those that are alone in their place; there depth
+  /// is the lesser one of those before and after. depth: at the begin. Returns
+  /// the depth before the end.
   template <class Visit, class Crossed>
-  int ForEachStretch(int depth, int difference, const Visit& visit,
+  int ForEachStretch(int depth, const Visit& visit,
                      const Crossed& crossed) const;
 
   /// Whether position a comes before position b.
@@ -108,8 +107,7 @@ class EdgeSweep {
 
 template <class Geometry>
 template <class Visit, class Crossed>
-int EdgeSweep<Geometry>::ForEachStretch(int depth, int difference,
-                                        const Visit& visit,
+int EdgeSweep<Geometry>::ForEachStretch(int depth, const Visit& visit,
                                         const Crossed& crossed) const {
   int earlier = 0;
   EdgePosition from = begin_;
@@ -118,20 +116,19 @@ int EdgeSweep<Geometry>::ForEachStretch(int depth, int difference,
     const EdgePosition at = jumps_[j].at;
     if (IsBefore(from, at)) {
       if (!IsBefore(at, end_)) break;
-      visit(from, at, depth, difference, earlier);
+      visit(from, depth, earlier);
       from = at;
     }
     const int depth_before = depth;
     const std::size_t first = j;
     do {
       depth += jumps_[j].change;
-      difference += jumps_[j].difference;
       earlier += jumps_[j].earlier;
       ++j;
     } while (j < jumps_.size() && !IsBefore(at, jumps_[j].at));
     if (j == first + 1) crossed(jumps_[first], std::min(depth_before, depth));
   }
-  visit(from, end_, depth, difference, earlier);
+  visit(from, depth, earlier);
   return depth;
 }
 

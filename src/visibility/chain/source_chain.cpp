@@ -53,13 +53,13 @@ bool SourceChain<Geometry>::Blocks(PieceId piece) {
          cones_.ReceiverSide(piece) != Sign::kZero;
 }
 
-/// Whether the only two pieces of an edge both block, one on each side of it.
+/// Whether the only two pieces of an edge show r the same side. Where one of them
+/// does not block, the edge is added with what lies in the source's plane, or
+/// with the borders of what is not there.
 template <class Geometry>
 bool SourceChain<Geometry>::IsInner(const SilhouetteEdge& edge) {
-  return edge.other_piece.valid() &&
-         cones_.ReceiverSide(edge.piece) ==
-             cones_.ReceiverSide(edge.other_piece) &&
-         Blocks(edge.piece) && Blocks(edge.other_piece);
+  return edge.other_piece.valid() && cones_.ReceiverSide(edge.piece) ==
+                                         cones_.ReceiverSide(edge.other_piece);
 }
 
 /// The sides of a piece's corners to the source's plane.

@@ -355,7 +355,9 @@ TEST_P(PathsAgree, OnScenesOfAllKinds) {
   }
   EXPECT_GT(lit, count / 4);
   EXPECT_GT(dark, 0);
-  if (std::string(kind.name) == "CutLamps") EXPECT_GT(joined_count, count);
+  if (std::string(kind.name) == "CutLamps") {
+    EXPECT_GT(joined_count, count);
+  }
   for (const auto count_of : kind.must_occur)
     EXPECT_GT(counts.*count_of, 0U);
 }
@@ -429,7 +431,7 @@ INSTANTIATE_TEST_SUITE_P(
                            true,
                            {&ChainCounts::in_plane, &ChainCounts::overlaps,
                             &ChainCounts::crossed}}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace truelux

@@ -274,7 +274,7 @@ std::vector<Measurement> RunSuites(const Options& options) {
   for (const Suite& suite : AllSuites(options))
     Run(suite, limits, options, all);
   if (!options.WantsMeshes()) return all;
-  const Limits mesh_limits{options.Size(3, 5), options.Size(4.0, 20.0)};
+  const Limits mesh_limits{options.Size(3, 5), options.Size(4.0, 60.0)};
   for (const Suite& suite : MeshSuites(options))
     Run(suite, mesh_limits, options, all);
   PrintMissingFiles(options);

@@ -17,9 +17,6 @@ namespace {
 /// asking a few edges.
 constexpr std::size_t kMostInLeaf = 8;
 
-/// With fewer edges all of them are said to be near.
-constexpr std::size_t kFewToCount = 256;
-
 /// An edge while the tree is built.
 struct Item {
   EdgeId edge;
@@ -241,31 +238,26 @@ SilhouetteTree::SilhouetteTree(const Scene& scene, const ConvexPieces& pieces) {
   leaf_begins_.shrink_to_fit();
 }
 
-/// Nodes of one level have about as many edges as each other.
-std::size_t SilhouetteTree::CountNear(const Shaft& shaft) const {
-  // Then the children that are looked at are no leaves.
-  static_assert(kFewToCount > 16 * kMostInLeaf);
-  if (inner_count_ < kFewToCount) return inner_count_;
-  // The first child of the root holds them all.
-  std::array<std::int32_t, 16> nodes{nodes_.front().children[0]};
-  std::size_t count = 1;
-  std::size_t kept_count = 0;
-  for (int level = 0; level < 3; ++level) {
-    std::array<std::int32_t, 16> next{};
-    kept_count = 0;
-    for (const std::int32_t index : std::span(nodes).first(count)) {
-      const Node& node = nodes_[static_cast<std::size_t>(index)];
-      const std::uint32_t kept = shaft.Kept(node.boxes);
-      for (std::size_t i = 0; i < node.count; ++i) {
-        if ((kept >> i & 1U) == 0) continue;
-        if (level < 2) next[kept_count] = node.children[i];
-        ++kept_count;
-      }
+bool SilhouetteTree::HasNear(const Shaft& shaft, std::size_t count) const {
+  if (inner_count_ < count) return false;
+  // The first child of the root holds them all, as a node or a leaf.
+  std::array<std::int32_t, 3 * kMaxDepth + 1> stack{nodes_.front().children[0]};
+  std::size_t size = 1;
+  std::size_t near = 0;
+  while (size > 0) {
+    const std::int32_t index = stack[--size];
+    if (index < 0) {
+      near += EdgesOf(~index).size();
+      if (near >= count) return true;
+      continue;
     }
-    nodes = next;
-    count = kept_count;
+    const Node& node = nodes_[static_cast<std::size_t>(index)];
+    const std::uint32_t kept = shaft.Kept(node.boxes);
+    for (std::size_t i = 0; i < node.count; ++i) {
+      if ((kept >> i & 1U) != 0) stack[size++] = node.children[i];
+    }
   }
-  return kept_count * inner_count_ / 64;
+  return false;
 }
 
 /// h = N . (t - r) = N . (t - c) + N . (c - r) is within the bounds' sum. Where

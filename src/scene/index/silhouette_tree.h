@@ -50,9 +50,10 @@ class SilhouetteTree {
   template <class Function>
   bool Visit(const Shaft& shaft, const Box& receivers, Function&& visit) const;
 
-  /// About how many edges that can be inner meet the shaft; cheap. Depends on
-  /// the tree and the shaft alone. Requires RoundUpward.
-  [[nodiscard]] std::size_t CountNear(const Shaft& shaft) const;
+  /// Whether at least so many edges that can be inner are near the shaft: in
+  /// leaves that meet it. Costs less the sooner it is known. Depends on the tree
+  /// and the shaft alone. Requires RoundUpward.
+  [[nodiscard]] bool HasNear(const Shaft& shaft, std::size_t count) const;
 
  private:
   friend class SilhouetteTreeBuilder;

@@ -346,12 +346,12 @@ TEST(SilhouetteTree, OfNothingVisitsNothing) {
   for (const SilhouetteTree& tree :
        {SilhouetteTree(), SilhouetteTree(nothing, ConvexPieces(nothing))}) {
     EXPECT_TRUE(Visited(tree, wide, kEverywhere).empty());
-    EXPECT_EQ(tree.CountNear(wide), 0U);
+    EXPECT_FALSE(tree.HasNear(wide, 1));
   }
   // A border is visited, but it is no inner edge.
   const SilhouetteTree of_lamp(lamp, ConvexPieces(lamp));
   EXPECT_EQ(Visited(of_lamp, wide, Box::Of({0, 0, 0})).size(), 4U);
-  EXPECT_EQ(of_lamp.CountNear(wide), 0U);
+  EXPECT_FALSE(of_lamp.HasNear(wide, 1));
 }
 
 TEST(SilhouetteTree, CountsWhatIsNear) {
@@ -365,17 +365,23 @@ TEST(SilhouetteTree, CountsWhatIsNear) {
     const std::size_t all = CountPaired(pieces);
     const RoundUpward rounding;
     const ShaftSource lamp = LampOf(scene);
-    EXPECT_EQ(tree.CountNear(Shaft(lamp, kEverywhere)), all) << n;
+    EXPECT_TRUE(tree.HasNear(Shaft(lamp, kEverywhere), all)) << n;
+    EXPECT_FALSE(tree.HasNear(Shaft(lamp, kEverywhere), all + 1)) << n;
     // From above the lamp the sphere is behind it.
-    const Shaft away(lamp, Box::Of({0, 0, 9}));
-    EXPECT_EQ(tree.CountNear(away), all < 256 ? all : 0U) << n;
+    EXPECT_FALSE(tree.HasNear(Shaft(lamp, Box::Of({0, 0, 9})), 1)) << n;
     for (int i = 0; i < 20; ++i) {
       const Point3 r = RandomPoint(random, false, 4);
       const Shaft shaft(lamp, Box::Of(r));
-      const std::size_t near = tree.CountNear(shaft);
+      // The greatest number that is near.
+      std::size_t near = 0;
+      while (tree.HasNear(shaft, near + 1))
+        ++near;
       EXPECT_LE(near, all);
-      EXPECT_EQ(near, tree.CountNear(shaft));
-      EXPECT_EQ(near, same.CountNear(shaft));
+      for (const std::size_t count : {near / 2, near, near + 1, all}) {
+        if (count == 0) continue;
+        EXPECT_EQ(tree.HasNear(shaft, count), count <= near);
+        EXPECT_EQ(same.HasNear(shaft, count), count <= near);
+      }
       if (near > 0 && near < all) ++between;
     }
   }

@@ -70,12 +70,12 @@ BenchScene MakeLamps(int count, bool shared_edges, int receivers,
 BenchScene MakeSmoothSphere(int n, int receivers, std::uint64_t seed);
 
 /// The same with a closed body of 8 n^2 triangles of unequal areas, with bumps
-/// and the noise of a scan, 1e-3 of its size.
-BenchScene MakeScan(int n, int receivers, std::uint64_t seed);
+/// and the noise of a scan, a part of its size.
+BenchScene MakeScan(int n, double noise, int receivers, std::uint64_t seed);
 
 /// The same with side * side receivers in rows, one tile of 4 x 4 after the
 /// other as in an image, the tiles in random order. side: a multiple of 4.
-BenchScene MakeScanGrid(int n, int side, std::uint64_t seed);
+BenchScene MakeScanGrid(int n, double noise, int side, std::uint64_t seed);
 
 /// Hills of 64 x 64 columns of unit cubes, of which only the outer faces are
 /// there. The lamp lies above the middle. Receivers just above the columns, kept

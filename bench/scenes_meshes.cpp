@@ -157,17 +157,18 @@ BenchScene MakeSmoothSphere(int n, int receivers, std::uint64_t seed) {
           ScatteredBelow(random, receivers, 0.5, kFarBelow)};
 }
 
-BenchScene MakeScan(int n, int receivers, std::uint64_t seed) {
+BenchScene MakeScan(int n, double noise, int receivers, std::uint64_t seed) {
   PortableRandom random(seed);
   std::vector<TestFace> faces = {WideLamp()};
-  AppendMesh(faces, BlobMesh(random, n, {0, 0, 0}, 1, 1e-3));
-  return {fmt::format("meshes_scan_{}", faces.size() - 1),
+  AppendMesh(faces, BlobMesh(random, n, {0, 0, 0}, 1, noise));
+  return {fmt::format("meshes_{}scan_{}", noise > 5e-4 ? "rough_" : "",
+                      faces.size() - 1),
           testing::MakeScene(faces),
           ScatteredBelow(random, receivers, 0.5, kFarBelow)};
 }
 
-BenchScene MakeScanGrid(int n, int side, std::uint64_t seed) {
-  BenchScene scan = MakeScan(n, 0, seed);
+BenchScene MakeScanGrid(int n, double noise, int side, std::uint64_t seed) {
+  BenchScene scan = MakeScan(n, noise, 0, seed);
   scan.name += "_grid";
   PortableRandom random(seed + 1);
   scan.receivers = TiledBelow(random, side, 0.5, kFarBelow);

@@ -204,10 +204,14 @@ std::vector<Suite> MeshSuites(const Options& options) {
     bumpy.name = "meshes_bumpy_300312";
     return bumpy;
   });
+  // An edge is 0.01 long. Scans that have been smoothed are rough by a hundredth
+  // of that, raw ones by a tenth.
   add("meshes_scan_70688",
-      [=] { return MakeScan(94, options.Size(4, 20), seed); });
+      [=] { return MakeScan(94, 1e-4, options.Size(4, 20), seed); });
   add("meshes_scan_70688_grid",
-      [=] { return MakeScanGrid(94, options.Size(8, 32), seed); });
+      [=] { return MakeScanGrid(94, 1e-4, options.Size(8, 32), seed); });
+  add("meshes_rough_scan_70688",
+      [=] { return MakeScan(94, 1e-3, options.Size(4, 20), seed); });
   add("meshes_room",
       [=] { return MakeFurnishedRoom(30, options.Size(20, 100), seed); });
   add("meshes_voxels", [=] { return MakeVoxels(options.Size(10, 40), seed); });

@@ -7,14 +7,6 @@
 #include <utility>
 
 namespace truelux {
-namespace {
-
-/// With fewer cones of the source, to look at the boxes of all is faster than
-/// sets of bits.
-constexpr std::size_t kManyCones = 16;
-
-}  // namespace
-
 template <class Geometry>
 ChainContour<Geometry>::ChainContour(
     const Scene& scene, const SceneIndex& index, Geometry& geometry,
@@ -24,12 +16,11 @@ ChainContour<Geometry>::ChainContour(
     : geometry_(geometry),
       cones_(cones),
       source_(source),
-      source_sides_(source_sides),
-      blockers_(blockers),
       checks_depths_(checks_depths),
       chain_(scene, index, geometry, cones, source, ignored, counts_),
       depth_(scene, index, geometry, cones, source, blockers, ignored, counts_),
-      sweep_(geometry, cones, blockers, chain_, counts_) {}
+      sweep_(geometry, cones, blockers, chain_, counts_),
+      intervals_(geometry, cones, source, source_sides, counts_) {}
 
 /// Notes a depth of a chain edge that has not been swept.
 template <class Geometry>
@@ -131,79 +122,24 @@ std::optional<int> ChainContour<Geometry>::SweepOutlineEdge(
   return depth;
 }
 
-/// Calls visit(index) for the source's cones whose boxes meet a box.
-template <class Geometry>
-template <class Visit>
-void ChainContour<Geometry>::ForEachConeNear(const ImageBox& box,
-                                             const Visit& visit) {
-  const auto boxes = source_.boxes();
-  const auto try_cone = [&](std::size_t s) {
-    if (boxes[s].Meets(box)) visit(s);
-    return true;
-  };
-  if (boxes.size() < kManyCones) {
-    for (std::size_t s = 0; s < boxes.size(); ++s)
-      try_cone(s);
-  } else {
-    cone_bins_.ForEach(box, try_cone);
-  }
-}
-
-/// Finds where an edge of the chain runs inside the source, in order. False if
-/// nowhere. On an edge of the source that edge has the arcs; on a diagonal,
-/// where both sides are source, the cone on the positive side stands for both.
-template <class Geometry>
-bool ChainContour<Geometry>::FindIntervals(const ViewEdge& edge) {
-  intervals_.clear();
-  const auto parts = source_.parts();
-  const ImageBox box = source_.plane().BoxOfEdge(edge.from, edge.to);
-  ForEachConeNear(box, [&](std::size_t s) {
-    Part& part = parts[s];
-    cones_.Complete(part.cone);
-    if (parts.size() > 1) source_sides_.SetBundle(part.cone.bundle);
-    BundleSides& from = source_sides_.Of(edge.from);
-    BundleSides& to = source_sides_.Of(edge.to);
-    const std::uint32_t all = geometry_.BundleMask(part.cone.bundle);
-    if ((from.positive & to.positive) == all) {
-      intervals_.push_back({kEdgeFrom, kEdgeTo});
-      return;
-    }
-    Cover cover;
-    if (!CoverOf(geometry_, edge, part.cone, from, to, cover)) return;
-    if (cover.side != Sign::kZero) {
-      const bool is_diagonal =
-          source_.IsDiagonal(part.cone.edges[cover.coincident]);
-      if (!is_diagonal || cover.side != Sign::kPositive) return;
-      ++counts_.diagonals;
-    }
-    intervals_.push_back({cover.begin, cover.end});
-  });
-  if (intervals_.size() > 1) {
-    std::ranges::sort(intervals_, [&](const Interval& a, const Interval& b) {
-      return ComparePositions(geometry_, edge, a.begin, b.begin) ==
-             Sign::kNegative;
-    });
-  }
-  return !intervals_.empty();
-}
-
 /// Adds the arcs of what of a stretch lies inside the source.
 template <class Geometry>
 void ChainContour<Geometry>::AddChainArcs(ChainEdgeId id,
                                           const EdgePosition& begin,
                                           const EdgePosition& end) {
   const ChainEdge& c = chain_.edges()[id];
+  const std::span<const EdgeInterval> inside = intervals_.intervals();
   const auto add = [&](const EdgePosition& from, const EdgePosition& to) {
     arcs_->push_back({c.edge, {from, to, false}, c.owner, kNoEdge});
   };
-  if (intervals_.size() == 1) {
+  if (inside.size() == 1) {
     add(begin, end);
     return;
   }
   const auto before = [&](const EdgePosition& a, const EdgePosition& b) {
     return ComparePositions(geometry_, c.edge, a, b) == Sign::kNegative;
   };
-  for (const Interval& interval : intervals_) {
+  for (const EdgeInterval& interval : inside) {
     const EdgePosition from =
         before(begin, interval.begin) ? interval.begin : begin;
     const EdgePosition to = before(interval.end, end) ? interval.end : end;
@@ -216,6 +152,7 @@ void ChainContour<Geometry>::AddChainArcs(ChainEdgeId id,
 template <class Geometry>
 std::optional<int> ChainContour<Geometry>::KnownDepth(const State& state) {
   const std::span<const DepthJump> jumps = sweep_.jumps();
+  const std::span<const EdgeInterval> inside = intervals_.intervals();
   const auto changes_until = [&](std::size_t end) {
     int sum = 0;
     for (std::size_t j = 0; j < end; ++j)
@@ -226,16 +163,15 @@ std::optional<int> ChainContour<Geometry>::KnownDepth(const State& state) {
     case KnownAt::kNowhere:
       break;
     case KnownAt::kBegin:
-      if (intervals_.front().begin.plane != kFromEnd) break;
+      if (inside.front().begin.plane != kFromEnd) break;
       ++counts_.propagated;
       return state.depth;
     case KnownAt::kEntry:
-      if (intervals_.front().begin.plane != state.plane) break;
+      if (inside.front().begin.plane != state.plane) break;
       ++counts_.entered;
       return state.depth;
     case KnownAt::kExit:
-      if (intervals_.size() > 1 ||
-          intervals_.front().end.plane != state.plane) {
+      if (inside.size() > 1 || inside.front().end.plane != state.plane) {
         break;
       }
       ++counts_.entered;
@@ -264,10 +200,12 @@ template <class Geometry>
 void ChainContour<Geometry>::SweepChainEdge(ChainEdgeId id) {
   const ChainEdge& c = chain_.edges()[id];
   states_[id].is_swept = true;
-  if (!FindIntervals(c.edge)) return;
-  const EdgePosition begin = intervals_.front().begin;
-  EdgePosition end = intervals_.front().end;
-  for (const Interval& interval : intervals_) {
+  intervals_.Find(c.edge);
+  const std::span<const EdgeInterval> inside = intervals_.intervals();
+  if (inside.empty()) return;
+  const EdgePosition begin = inside.front().begin;
+  EdgePosition end = inside.front().end;
+  for (const EdgeInterval& interval : inside) {
     if (ComparePositions(geometry_, c.edge, end, interval.end) ==
         Sign::kNegative) {
       end = interval.end;
@@ -392,8 +330,7 @@ void ChainContour<Geometry>::AppendArcs(std::vector<ViewArc>& arcs) {
     near_.push_back(id);
     states_[id] = {};
   });
-  if (source_.boxes().size() >= kManyCones)
-    cone_bins_.Build(source_.boxes(), source_.box());
+  intervals_.SetSource();
   SweepOutline();
   SweepKnown();
   for (const ChainEdgeId id : near_) {

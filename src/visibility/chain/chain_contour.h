@@ -14,6 +14,7 @@
 #include "visibility/chain/chain_counts.h"
 #include "visibility/chain/edge_sweep.h"
 #include "visibility/chain/source_chain.h"
+#include "visibility/chain/source_intervals.h"
 #include "visibility/chain/start_depth.h"
 #include "visibility/edges/direction_sides.h"
 #include "visibility/edges/source_contour.h"
@@ -69,12 +70,6 @@ class ChainContour {
     ChainEdgeId edge;   ///< the other one: kBefore, kAfter
   };
 
-  /// An interval of the edge that is swept.
-  struct Interval {
-    EdgePosition begin;
-    EdgePosition end;
-  };
-
   /// An edge of the source that is no diagonal.
   struct OutlineEdge {
     std::size_t part = 0;   ///< of the source
@@ -93,13 +88,10 @@ class ChainContour {
   void SweepOutline();
   std::optional<int> SweepOutlineEdge(const Cone& cone, std::size_t k,
                                       std::optional<int> depth);
-  template <class Visit>
-  void ForEachConeNear(const ImageBox& box, const Visit& visit);
   void SweepKnown();
   void SweepChainEdge(ChainEdgeId id);
   void Know(ChainEdgeId id, const State& state);
   std::optional<int> KnownDepth(const State& state);
-  bool FindIntervals(const ViewEdge& edge);
   void CheckDepth(const ViewEdge& edge, const EdgePosition& position,
                   bool on_positive, int depth);
   void AddChainArcs(ChainEdgeId id, const EdgePosition& begin,
@@ -110,18 +102,15 @@ class ChainContour {
   Geometry& geometry_;
   ConeMaker<Geometry>& cones_;
   SourceCones<Geometry>& source_;
-  DirectionSides<Geometry>& source_sides_;
-  BlockerParts<Geometry>& blockers_;
   bool checks_depths_;
   ChainCounts counts_;
   SourceChain<Geometry> chain_;
   StartDepth<Geometry> depth_;
   EdgeSweep<Geometry> sweep_;
+  SourceIntervals<Geometry> intervals_;  ///< of the chain edge that is swept
   const Shaft* shaft_ = nullptr;
   std::vector<ViewArc>* arcs_ = nullptr;
   IdVector<ChainEdgeId, State> states_;
-  std::vector<Interval> intervals_;
-  PartBins cone_bins_;             ///< of a source of many cones
   std::vector<ChainEdgeId> near_;  ///< chain edges that may meet the source
   StampedTable<int, ViewDirectionId> corner_depths_;  ///< around corners
   std::vector<OutlineEdge> outline_;

@@ -28,6 +28,8 @@ class TreeCut {
   /// Whether nothing is left: no receiver of the block has a blocker.
   [[nodiscard]] bool empty() const { return parts_.empty(); }
 
+  [[nodiscard]] std::size_t size() const { return parts_.size(); }
+
  private:
   friend class TriangleTree;
 
@@ -75,8 +77,12 @@ class TriangleTree {
   /// than their hulls, and the block's may be the narrower one somewhere. So
   /// what is counted here must not go into results that have to be the same
   /// however receivers are grouped.
+  ///
+  /// Returns how many parts of the cut the shaft keeps something of: where these
+  /// are few of all, the receiver does better without the cut.
   template <class Function>
-  void Visit(const Shaft& shaft, const TreeCut& cut, Function&& visit) const;
+  std::size_t Visit(const Shaft& shaft, const TreeCut& cut,
+                    Function&& visit) const;
 
   /// Replaces the cut by parts of the tree that hold all triangles that the
   /// shaft of a block of receivers keeps. Requires RoundUpward.
@@ -119,17 +125,22 @@ void TriangleTree::Visit(const Region& region, Function&& visit) const {
 }
 
 template <class Function>
-void TriangleTree::Visit(const Shaft& shaft, const TreeCut& cut,
-                         Function&& visit) const {
+std::size_t TriangleTree::Visit(const Shaft& shaft, const TreeCut& cut,
+                                Function&& visit) const {
   assert(IsRoundingUpward());
+  std::size_t kept_parts = 0;
   for (const TreeCut::Part& part : cut.parts_) {
+    const Node& node = At(part.node);
+    const std::uint32_t kept = shaft.Kept(node.boxes);
+    if (kept == 0) continue;
+    ++kept_parts;
     if (part.whole) {
       VisitBelow(shaft, part.node, visit);
     } else {
-      const Node& node = At(part.node);
-      VisitTriangles(node, shaft.Kept(node.boxes), visit);
+      VisitTriangles(node, kept, visit);
     }
   }
+  return kept_parts;
 }
 
 /// Of a node, the triangles come before what is below its child nodes.

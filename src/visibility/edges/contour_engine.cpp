@@ -234,8 +234,10 @@ class BasicContourBuilder<kKind>::Impl {
       return;
     }
     const auto add = [this](int piece) { AddPiece(PieceId(piece)); };
-    if (emitter.valid()) {
-      engine_.tree().Visit(shaft, CutOf(emitter), add);
+    BlockCut* const shared = emitter.valid() ? &CutOf(emitter) : nullptr;
+    if (shared != nullptr && shared->is_useful) {
+      const std::size_t kept = engine_.tree().Visit(shaft, shared->cut, add);
+      shared->is_useful = kept * kLeastKept >= shared->cut.size();
     } else {
       engine_.tree().Visit(shaft, add);
     }
@@ -316,11 +318,23 @@ class BasicContourBuilder<kKind>::Impl {
         block_box_, block_normal_};
   }
 
-  /// What the block's receivers share.
-  const TreeCut& CutOf(EmitterId emitter) {
+  /// What a block's receivers share on the way to a source.
+  struct BlockCut {
+    TreeCut cut;
+    bool is_useful = true;
+  };
+
+  /// A cut of which a receiver needs less than one part in so many makes it look
+  /// at more boxes than the tree would.
+  static constexpr std::size_t kLeastKept = 4;
+
+  BlockCut& CutOf(EmitterId emitter) {
     cuts_.Cover(engine_.emitters().size());
-    if (!cuts_.Has(emitter))
-      engine_.tree().Narrow(BlockShaft(emitter), cuts_.Renew(emitter));
+    if (!cuts_.Has(emitter)) {
+      BlockCut& made = cuts_.Renew(emitter);
+      engine_.tree().Narrow(BlockShaft(emitter), made.cut);
+      made.is_useful = true;
+    }
     return cuts_[emitter];
   }
 
@@ -344,8 +358,8 @@ class BasicContourBuilder<kKind>::Impl {
 
   bool in_block_ = false;
   Box block_box_;
-  std::optional<Vector3> block_normal_;    ///< if all receivers share it
-  StampedTable<TreeCut, EmitterId> cuts_;  ///< of the block
+  std::optional<Vector3> block_normal_;     ///< if all receivers share it
+  StampedTable<BlockCut, EmitterId> cuts_;  ///< of the block
   StampedTable<SharedEdges, EmitterId> shared_edges_;  ///< likewise
 };
 

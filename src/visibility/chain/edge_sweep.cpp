@@ -38,12 +38,33 @@ void EdgeSweep<Geometry>::AddOverlap(ChainEdgeId other) {
   jumps_.push_back({cover.end, 0, -1, ChainEdgeId()});
 }
 
+/// Deals with an edge that shares an end with the swept one: it crosses it
+/// nowhere else, and may lie on it. far: its other end.
+template <class Geometry>
+void EdgeSweep<Geometry>::TryNeighbour(ChainEdgeId other,
+                                       ViewDirectionId shared,
+                                       ViewDirectionId far) {
+  if (geometry_.PlaneSide(edge_.plane, far).sign == Sign::kZero) {
+    AddOverlap(other);
+  } else if (IsSource() && shared == edge_.to) {
+    ends_alone_ = false;
+  }
+}
+
 /// Adds where another chain edge crosses the swept one inside the interval, or
 /// touches it from the side that is swept.
 template <class Geometry>
 void EdgeSweep<Geometry>::TryJump(ChainEdgeId other) {
   const ViewEdge& e = edge_;
   const ChainEdge& f = chain_.edges()[other];
+  if (f.edge.from == e.from || f.edge.from == e.to) {
+    TryNeighbour(other, f.edge.from, f.edge.to);
+    return;
+  }
+  if (f.edge.to == e.from || f.edge.to == e.to) {
+    TryNeighbour(other, f.edge.to, f.edge.from);
+    return;
+  }
   const Sign p = geometry_.PlaneSide(e.plane, f.edge.from).sign;
   const Sign q = geometry_.PlaneSide(e.plane, f.edge.to).sign;
   if (p == q && p != Sign::kZero) return;
@@ -53,8 +74,7 @@ void EdgeSweep<Geometry>::TryJump(ChainEdgeId other) {
   }
   const Side v = geometry_.PlaneSide(f.edge.plane, e.to);
   if (v.sign == Sign::kZero) {
-    const bool is_incident = f.edge.from == e.to || f.edge.to == e.to;
-    if (IsSource() || !is_incident) ends_alone_ = false;
+    ends_alone_ = false;
     return;
   }
   const Side u = geometry_.PlaneSide(f.edge.plane, e.from);

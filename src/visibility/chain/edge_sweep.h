@@ -86,6 +86,8 @@ class EdgeSweep {
   [[nodiscard]] bool IsSource() const { return !self_.valid(); }
 
   void TryJump(ChainEdgeId other);
+  void TryNeighbour(ChainEdgeId other, ViewDirectionId shared,
+                    ViewDirectionId far);
   void AddOverlap(ChainEdgeId other);
 
   Geometry& geometry_;

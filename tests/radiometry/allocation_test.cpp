@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "support/mesh_scenes.h"
 #include "support/portable_random.h"
 #include "support/random_scene.h"
 #include "support/scenes.h"
@@ -61,11 +63,22 @@ namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace)
 
-class Allocation : public ::testing::TestWithParam<Method> {};
+enum class Blockers { kTriangles, kMesh };
 
-TEST_P(Allocation, NoneInTheSteadyState) {
-  PortableRandom random(1);
-  std::vector<TestFace> faces{{Ceiling(-2, 2, -2, 2, 4), kLamp}};
+/// A lamp above triangles; or one that is cut in quads above a noisy mesh, so
+/// that chains are made.
+Scene SceneOf(Blockers blockers, PortableRandom& random) {
+  std::vector<TestFace> faces;
+  if (blockers == Blockers::kMesh) {
+    for (int i = -2; i < 2; ++i) {
+      for (int k = -2; k < 2; ++k)
+        faces.push_back({Ceiling(i, i + 1, k, k + 1, 4), kLamp});
+    }
+    for (const Ring& ring : SphereMesh(random, 12, {0, 0, 2}, 1, 0.1))
+      faces.push_back({ring, kBlack});
+    return MakeScene(faces);
+  }
+  faces.push_back({Ceiling(-2, 2, -2, 2, 4), kLamp});
   for (int i = 0; i < 60; ++i) {
     const auto corner = [&]() -> Point3 {
       return {random.Uniform(-2, 2), random.Uniform(-2, 2),
@@ -73,7 +86,16 @@ TEST_P(Allocation, NoneInTheSteadyState) {
     };
     faces.push_back({{corner(), corner(), corner()}, kBlack});
   }
-  const Oracle oracle(MakeScene(faces), {.method = GetParam()});
+  return MakeScene(faces);
+}
+
+class Allocation
+    : public ::testing::TestWithParam<std::tuple<Method, Blockers>> {};
+
+TEST_P(Allocation, NoneInTheSteadyState) {
+  const auto [method, blockers] = GetParam();
+  PortableRandom random(1);
+  const Oracle oracle(SceneOf(blockers, random), {.method = method});
   std::vector<Receiver> receivers;
   for (int i = 0; i < 200; ++i) {
     receivers.push_back(
@@ -103,9 +125,11 @@ TEST_P(Allocation, NoneInTheSteadyState) {
   EXPECT_GT(before, 100U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Allocation,
-                         ::testing::Values(Method::kCertified,
-                                           Method::kDouble));
+INSTANTIATE_TEST_SUITE_P(
+    Methods, Allocation,
+    ::testing::Combine(::testing::Values(Method::kCertified, Method::kDouble),
+                       ::testing::Values(Blockers::kTriangles,
+                                         Blockers::kMesh)));
 
 }  // namespace
 }  // namespace truelux

@@ -34,9 +34,12 @@ struct TRUELUX_EXPORT Statistics {
   StageCounts plane_side;     ///< a direction against a plane through r
   StageCounts edge_order;     ///< two crossings along one edge
 
-  std::uint64_t sources = 0;   ///< sources in front and above the horizon
-  std::uint64_t blockers = 0;  ///< blocker parts, summed over sources, without
-                               ///< those that others were found to hide
+  /// Sources in front and above the horizon. Emitters of one plane that emit the
+  /// same count as one where only the sum over all sources was asked for.
+  std::uint64_t sources = 0;
+  /// Blocker parts, summed over sources, without those that others were found to
+  /// hide; none of sources that went by the chain (docs/method.md, section 11).
+  std::uint64_t blockers = 0;
   std::uint64_t arcs = 0;      ///< arcs of the visible contours
 
   // How many evaluations ended in which arithmetic. One receiver is one

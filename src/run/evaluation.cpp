@@ -85,18 +85,22 @@ class BlockReader {
     while (!ended_) {
       if (block.row_count == block.records.size()) block.records.emplace_back();
       CsvRecord& record = block.records[block.row_count];
-      ended_ = reader_.NextRecord(record, block.defects) !=
-               ReceiverReader::Status::kRow;
-      if (ended_) break;
+      // Only ever set: another thread may have set it meanwhile.
+      if (reader_.NextRecord(record, block.defects) !=
+          ReceiverReader::Status::kRow) {
+        ended_ = true;
+        break;
+      }
       bytes += record.text().size();
       ++block.row_count;
-      if (block.row_count == kBlockRows || bytes >= kBlockBytes) break;
-      if (reader_.HasBufferedBytes()) continue;
       // Rather a small block than to keep rows waiting for others that a pipe
       // may bring later; and none is waited for after a defect.
-      ParseRows(reader_, scene_, block);
-      if (!block.defects.empty()) ended_ = true;
-      break;
+      if (!reader_.HasBufferedBytes()) {
+        ParseRows(reader_, scene_, block);
+        if (!block.defects.empty()) ended_ = true;
+        break;
+      }
+      if (block.row_count == kBlockRows || bytes >= kBlockBytes) break;
     }
     return block.row_count == 0 && block.defects.empty() ? nullptr : &block;
   }

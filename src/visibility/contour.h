@@ -37,7 +37,9 @@ struct Arc {
 };
 
 /// The arcs first_arc .. first_arc + arc_count - 1 bound what is visible of
-/// one facet (or, from the contour engine, of one triangle of it).
+/// one facet (or, from the contour engine, of one triangle of it). Where sources
+/// are joined it may be several facets of one plane that emit the same; `facet`
+/// is the first of them.
 struct SourceArcs {
   FacetId facet;
   ArcId first_arc{0};

@@ -190,12 +190,15 @@ void ConvexPieces::LinkEdges() {
     return std::pair(a.key, a.edge) < std::pair(b.key, b.edge);
   });
   next_same_edge_.resize(corners_.size());
+  first_same_edge_.resize(corners_.size());
   for (std::size_t begin = 0; begin < edges.size();) {
     std::size_t end = begin + 1;
     while (end < edges.size() && edges[end].key == edges[begin].key)
       ++end;
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i) {
       next_same_edge_[edges[i].edge] = edges[i + 1 < end ? i + 1 : begin].edge;
+      first_same_edge_[edges[i].edge] = edges[begin].edge;
+    }
     begin = end;
   }
 }

@@ -86,6 +86,11 @@ class ConvexPieces {
     return next_same_edge_[edge];
   }
 
+  /// The first of the edges between the same two vertices.
+  [[nodiscard]] EdgeId FirstSameEdge(EdgeId edge) const {
+    return first_same_edge_[edge];
+  }
+
   /// The first of the facets that are known to lie in exactly the same plane as
   /// this one. (Of facets for which it differs nothing is known: only facets
   /// that are connected by edges are compared.)
@@ -108,6 +113,7 @@ class ConvexPieces {
   IdVector<EdgeId, VertexId> corners_;
   IdVector<EdgeId, PieceId> piece_of_;
   IdVector<EdgeId, EdgeId> next_same_edge_;
+  IdVector<EdgeId, EdgeId> first_same_edge_;
   IdVector<FacetId, PieceId> first_piece_;  ///< and one more
   IdVector<FacetId, FacetId> first_in_plane_;
 };

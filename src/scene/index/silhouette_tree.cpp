@@ -2,6 +2,7 @@
 #include "scene/index/silhouette_tree.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "base/id_vector.h"
@@ -86,7 +87,7 @@ class SilhouetteTreeBuilder {
     std::vector<Item> items;
     std::vector<Item> always;
     for (const EdgeId edge : EdgesOfPieces()) {
-      if (!IsFirst(edge)) continue;
+      if (pieces_.FirstSameEdge(edge) != edge) continue;
       Item item{edge, {}};
       item.box.Include(vertices_[pieces_.corners()[edge]]);
       item.box.Include(vertices_[pieces_.corners()[pieces_.NextCorner(edge)]]);
@@ -105,14 +106,6 @@ class SilhouetteTreeBuilder {
  private:
   [[nodiscard]] IdRange<EdgeId> EdgesOfPieces() const {
     return pieces_.corners().ids();
-  }
-
-  [[nodiscard]] bool IsFirst(EdgeId edge) const {
-    for (EdgeId other = pieces_.NextSameEdge(edge); other != edge;
-         other = pieces_.NextSameEdge(other)) {
-      if (other < edge) return false;
-    }
-    return true;
   }
 
   /// Whether an edge is inner if its pieces show r the same side.
@@ -239,6 +232,7 @@ SilhouetteTree::SilhouetteTree(const Scene& scene, const ConvexPieces& pieces) {
 }
 
 bool SilhouetteTree::HasNear(const Shaft& shaft, std::size_t count) const {
+  assert(count > 0);
   if (inner_count_ < count) return false;
   // The first child of the root holds them all, as a node or a leaf.
   std::array<std::int32_t, 3 * kMaxDepth + 1> stack{nodes_.front().children[0]};

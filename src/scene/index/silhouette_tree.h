@@ -50,9 +50,9 @@ class SilhouetteTree {
   template <class Function>
   bool Visit(const Shaft& shaft, const Box& receivers, Function&& visit) const;
 
-  /// Whether at least so many edges that can be inner are near the shaft: in
-  /// leaves that meet it. Costs less the sooner it is known. Depends on the tree
-  /// and the shaft alone. Requires RoundUpward.
+  /// Whether at least `count` edges, 1 or more, that can be inner are near the
+  /// shaft: in leaves that meet it. Costs less the sooner the answer is known.
+  /// The answer depends on the tree and the shaft alone. Requires RoundUpward.
   [[nodiscard]] bool HasNear(const Shaft& shaft, std::size_t count) const;
 
  private:

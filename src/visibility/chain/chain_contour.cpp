@@ -271,17 +271,18 @@ bool ChainContour<Geometry>::SortSpokes(ViewPlaneId plane) {
 /// From the depth on the negative side of an edge where it ends to those where
 /// other edges begin: around the end it changes from spoke to spoke.
 template <class Geometry>
-void ChainContour<Geometry>::Propagate(ChainEdgeId swept, int depth) {
-  const ViewEdge& arriving = chain_.edges()[swept].edge;
+void ChainContour<Geometry>::Propagate(ChainEdgeId id, int depth) {
+  const ViewEdge& arriving = chain_.edges()[id].edge;
   spokes_.clear();
   bool any_open = false;
-  chain_.ForEachAt(arriving.to, [&](ChainEdgeId id) {
-    if (id == swept) return;
-    const ViewEdge& edge = chain_.edges()[id].edge;
+  chain_.ForEachAt(arriving.to, [&](ChainEdgeId next) {
+    if (next == id) return;
+    const ViewEdge& edge = chain_.edges()[next].edge;
     const bool is_outgoing = edge.from == arriving.to;
-    any_open = any_open || (is_outgoing && !states_[id].is_swept &&
-                            states_[id].known_at == KnownAt::kNowhere);
-    spokes_.push_back({id, is_outgoing ? edge.to : edge.from, is_outgoing});
+    const State& state = states_[next];
+    any_open = any_open || (is_outgoing && !state.is_swept &&
+                            state.known_at == KnownAt::kNowhere);
+    spokes_.push_back({next, is_outgoing ? edge.to : edge.from, is_outgoing});
   });
   if (!any_open || !SortSpokes(arriving.plane)) return;
   for (const Spoke& spoke : spokes_) {

@@ -21,8 +21,9 @@
 
 namespace truelux {
 
-/// Finds the arcs of a source: along an edge the number of blockers over it
-/// changes where an edge of the chain crosses it; arcs are where none is left.
+/// Finds the arcs of a source. Along an edge the number of blockers over the
+/// edge changes where an edge of the chain crosses. An arc lies where no blocker
+/// is left.
 template <class Geometry>
 class ChainContour {
  public:

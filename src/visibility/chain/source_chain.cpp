@@ -53,7 +53,7 @@ bool SourceChain<Geometry>::Blocks(PieceId piece) {
          cones_.ReceiverSide(piece) != Sign::kZero;
 }
 
-/// Whether the only two pieces of an edge show r the same side. Where one of them
+/// Whether the only two pieces of an edge show r the same side. Where a piece
 /// does not block, the edge is added with what lies in the source's plane, or
 /// with the borders of what is not there.
 template <class Geometry>
@@ -88,16 +88,6 @@ bool SourceChain<Geometry>::BlocksAtPlane(PieceId piece) {
   bool any_behind = false;
   SidesOf(piece, any_front, any_behind);
   return any_front || (!any_behind && source_.IsSeenBeforeSource(facet));
-}
-
-template <class Geometry>
-EdgeId SourceChain<Geometry>::FirstOf(EdgeId edge) const {
-  EdgeId first = edge;
-  for (EdgeId other = pieces_.NextSameEdge(edge); other != edge;
-       other = pieces_.NextSameEdge(other)) {
-    first = std::min(first, other);
-  }
-  return first;
 }
 
 /// Where an edge, the first of equal ones, meets the source's plane between
@@ -204,7 +194,7 @@ void SourceChain<Geometry>::AddCut(PieceId piece, const CornerSigns& sides) {
           sides[k > 0 ? k - 1 : size - 1]);
     } else if (sides[next] == -sides[k]) {
       const EdgeId edge(p.first_corner.value() + static_cast<int>(k));
-      set(CutDirection(FirstOf(edge)), sides[k]);
+      set(CutDirection(pieces_.FirstSameEdge(edge)), sides[k]);
     }
   }
   c.edge.plane = geometry_.AddPlane(
@@ -239,7 +229,7 @@ void SourceChain<Geometry>::AddPieceAtPlane(PieceId piece) {
     const std::size_t next =
         k + 1 < static_cast<std::size_t>(p.corner_count) ? k + 1 : 0;
     if (sides[k] == Sign::kZero && sides[next] == Sign::kZero)
-      AddEdge(FirstOf(edge));
+      AddEdge(pieces_.FirstSameEdge(edge));
   }
 }
 
@@ -279,7 +269,8 @@ void SourceChain<Geometry>::AddIgnoredBorders(const Shaft& shaft) {
                           const Piece& p = pieces_.pieces()[PieceId(piece)];
                           if (!ignored_.IsIgnored(p.facet)) return;
                           for (const EdgeId edge : p.edges()) {
-                            if (AddEdge(FirstOf(edge))) ++counts_.borders;
+                            if (AddEdge(pieces_.FirstSameEdge(edge)))
+                              ++counts_.borders;
                           }
                         });
   }

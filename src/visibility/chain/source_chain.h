@@ -95,7 +95,6 @@ class SourceChain {
   void AddCut(PieceId piece, const CornerSigns& sides);
   void AddIgnoredBorders(const Shaft& shaft);
   ViewDirectionId CutDirection(EdgeId edge);
-  [[nodiscard]] EdgeId FirstOf(EdgeId edge) const;
   void Append(const ChainEdge& edge, const ImageBox& box);
   void Link();
 

@@ -20,8 +20,8 @@ struct EdgeInterval {
   EdgePosition end;
 };
 
-/// Finds where edges of the chain run inside the source. Allocates nothing in the
-/// steady state.
+/// Finds where edges of the chain run inside the source. Allocates nothing in
+/// the steady state.
 template <class Geometry>
 class SourceIntervals {
  public:

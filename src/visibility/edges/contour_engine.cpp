@@ -10,6 +10,7 @@
 #include "scene/scene_access.h"
 #include "visibility/chain/chain_contour.h"
 #include "visibility/chain/shared_edges.h"
+#include "visibility/edges/block_cut.h"
 #include "visibility/edges/blocker_parts.h"
 #include "visibility/edges/cone.h"
 #include "visibility/edges/contour_writer.h"
@@ -22,10 +23,10 @@ namespace truelux {
 
 namespace {
 
-/// With so many inner edges towards a source its chain is made: two boxes have
-/// 24. Rooms with 32 and 128 boxes take 0.75 times as long as by blockers, with 8
-/// the same.
-constexpr std::size_t kManyInnerEdges = 24;
+/// The chain is made where so many edges that can be inner are near a source.
+/// Two boxes have 24. Rooms with 32 and 128 boxes take 0.75 times as long as by
+/// blockers, rooms with 8 the same.
+constexpr std::size_t kManyPairedEdges = 24;
 
 }  // namespace
 
@@ -190,6 +191,7 @@ class BasicContourBuilder<kKind>::Impl {
     MakeChain(shaft, emitter);
     const std::span<const FacetId> facets = source_.facets();
     const auto add = [&](std::size_t first, std::size_t end) {
+      StopIfAsked(query.stop);
       if (!source_.Narrow(first, end)) return;
       blockers_.Start();
       chain_.AppendArcs(arcs_of_all_);
@@ -234,10 +236,8 @@ class BasicContourBuilder<kKind>::Impl {
       return;
     }
     const auto add = [this](int piece) { AddPiece(PieceId(piece)); };
-    BlockCut* const shared = emitter.valid() ? &CutOf(emitter) : nullptr;
-    if (shared != nullptr && shared->is_useful) {
-      const std::size_t kept = engine_.tree().Visit(shaft, shared->cut, add);
-      shared->is_useful = kept * kLeastKept >= shared->cut.size();
+    if (emitter.valid()) {
+      CutOf(emitter).Visit(engine_.tree(), shaft, add);
     } else {
       engine_.tree().Visit(shaft, add);
     }
@@ -259,7 +259,7 @@ class BasicContourBuilder<kKind>::Impl {
       case ContourPath::kByCost:
         break;
     }
-    return engine_.index().silhouettes().HasNear(shaft, kManyInnerEdges);
+    return engine_.index().silhouettes().HasNear(shaft, kManyPairedEdges);
   }
 
   /// Makes the chain of the source that has been set. emitter: as of FindArcs.
@@ -318,23 +318,10 @@ class BasicContourBuilder<kKind>::Impl {
         block_box_, block_normal_};
   }
 
-  /// What a block's receivers share on the way to a source.
-  struct BlockCut {
-    TreeCut cut;
-    bool is_useful = true;
-  };
-
-  /// A cut of which a receiver needs less than one part in so many makes it look
-  /// at more boxes than the tree would.
-  static constexpr std::size_t kLeastKept = 4;
-
   BlockCut& CutOf(EmitterId emitter) {
     cuts_.Cover(engine_.emitters().size());
-    if (!cuts_.Has(emitter)) {
-      BlockCut& made = cuts_.Renew(emitter);
-      engine_.tree().Narrow(BlockShaft(emitter), made.cut);
-      made.is_useful = true;
-    }
+    if (!cuts_.Has(emitter))
+      cuts_.Renew(emitter).Start(engine_.tree(), BlockShaft(emitter));
     return cuts_[emitter];
   }
 

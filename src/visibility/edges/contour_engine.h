@@ -26,7 +26,8 @@ namespace truelux {
 using EmitterId = Id<struct EmitterTag>;
 
 /// How the engine finds what is visible. Both ways give contours of the same
-/// regions.
+/// regions. Unfiltered predicates always go by blockers: along a chain one
+/// wrong sign would spoil all depths that follow.
 enum class ContourPath {
   kByCost,    ///< the cheaper one, for each source and receiver
   kBlockers,  ///< by what each blocker hides (method.md, section 4)

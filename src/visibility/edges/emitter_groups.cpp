@@ -91,21 +91,21 @@ class Grouping {
     for (const EdgeId edge : corners.ids()) {
       const FacetId facet = pieces_.pieces()[pieces_.PieceOf(edge)].facet;
       if (!Emits(FaceOfFacet(facet))) continue;
-      for (EdgeId other = pieces_.NextSameEdge(edge); other != edge;
-           other = pieces_.NextSameEdge(other)) {
-        if (corners[other] == corners[edge]) continue;
-        const FacetId next = pieces_.pieces()[pieces_.PieceOf(other)].facet;
-        if (next == facet || !Emits(FaceOfFacet(next)) ||
-            !AreInOnePlane(facet, next)) {
-          continue;
-        }
-        const FacetId a = RootOf(facet);
-        const FacetId b = RootOf(next);
-        if (a == b) continue;
-        SetCorners(pieces_.PieceOf(edge), own);
-        SetCorners(pieces_.PieceOf(other), others);
-        if (LookAlike(own, others)) parents_[std::max(a, b)] = std::min(a, b);
+      // One other edge is enough: groups only save time, and of an edge with
+      // thousands of pieces not all pairs may be looked at.
+      const EdgeId other = pieces_.NextSameEdge(edge);
+      if (corners[other] == corners[edge]) continue;
+      const FacetId next = pieces_.pieces()[pieces_.PieceOf(other)].facet;
+      if (next == facet || !Emits(FaceOfFacet(next)) ||
+          !AreInOnePlane(facet, next)) {
+        continue;
       }
+      const FacetId a = RootOf(facet);
+      const FacetId b = RootOf(next);
+      if (a == b) continue;
+      SetCorners(pieces_.PieceOf(edge), own);
+      SetCorners(pieces_.PieceOf(other), others);
+      if (LookAlike(own, others)) parents_[std::max(a, b)] = std::min(a, b);
     }
   }
 
@@ -147,13 +147,16 @@ class Grouping {
         SetCorners(piece, own);
         for (const Point3& p : own)
           box.Include(p);
-        tree.Visit(BoxOverlap(box), [&](int index) {
+        BoxOverlap region(box);
+        tree.Visit(region, [&](int index) {
           const PieceId other = emitting[static_cast<std::size_t>(index)];
           if (overlaps_[facet] || other == piece || IsNeighbour(piece, other)) {
             return;
           }
           SetCorners(other, others);
-          if (OverlapInPlane(own, others)) overlaps_[facet] = true;
+          if (!OverlapInPlane(own, others)) return;
+          overlaps_[facet] = true;
+          region = BoxOverlap(Box());  // nothing more to be found
         });
       }
     }

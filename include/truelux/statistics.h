@@ -40,7 +40,7 @@ struct TRUELUX_EXPORT Statistics {
   /// Blocker parts, summed over sources, without those that others were found to
   /// hide; none of sources that went by the chain (docs/method.md, section 11).
   std::uint64_t blockers = 0;
-  std::uint64_t arcs = 0;      ///< arcs of the visible contours
+  std::uint64_t arcs = 0;  ///< arcs of the visible contours
 
   // How many evaluations ended in which arithmetic. One receiver is one
   // evaluation, except that Oracle::FormFactors makes one for each face.

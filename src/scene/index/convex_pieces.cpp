@@ -204,20 +204,16 @@ void ConvexPieces::LinkEdges() {
 }
 
 void ConvexPieces::FindPlanes(const Scene& scene) {
-  // Sets of coplanar facets, each a tree with the set's first facet as root.
   const IdRange<FacetId> facets = FacetsOf(scene).ids();
+  DisjointSets<FacetId> coplanar(scene.facets().size());
+  if (!SceneVariants::IsLoose(scene)) JoinCoplanar(scene, coplanar);
   first_in_plane_.reserve(scene.facets().size());
   for (const FacetId facet : facets)
-    first_in_plane_.push_back(facet);
-  if (SceneVariants::IsLoose(scene)) return;
-  const auto first_of = [this](FacetId facet) {
-    while (first_in_plane_[facet] != facet) {
-      FacetId& parent = first_in_plane_[facet];
-      parent = first_in_plane_[parent];
-      facet = parent;
-    }
-    return facet;
-  };
+    first_in_plane_.push_back(coplanar.LeastOf(facet));
+}
+
+void ConvexPieces::JoinCoplanar(const Scene& scene,
+                                DisjointSets<FacetId>& coplanar) const {
   const ReceiverView view{VerticesOf(scene), TrianglesOf(scene), {}, {}};
   const RecipeEvaluator<Interval> interval(view);
   const RecipeEvaluator<Exact> exact(view);
@@ -226,17 +222,13 @@ void ConvexPieces::FindPlanes(const Scene& scene) {
     const EdgeId other = NextSameEdge(edge);
     const Piece& p = pieces_[PieceOf(edge)];
     const Piece& q = pieces_[PieceOf(other)];
-    const FacetId a = first_of(p.facet);
-    const FacetId b = first_of(q.facet);
-    if (a == b) continue;
+    if (coplanar.LeastOf(p.facet) == coplanar.LeastOf(q.facet)) continue;
     // They have an edge in common, so that one more corner decides.
     const VertexId vertex = corners_[NextCorner(NextCorner(other))];
     auto sign = TrySign(interval.AboveTriangle(p.triangle, vertex));
     if (!sign) sign = SignOf(exact.AboveTriangle(p.triangle, vertex));
-    if (*sign == Sign::kZero) first_in_plane_[std::max(a, b)] = std::min(a, b);
+    if (*sign == Sign::kZero) coplanar.Join(p.facet, q.facet);
   }
-  for (const FacetId facet : facets)
-    first_in_plane_[facet] = first_of(facet);
 }
 
 }  // namespace truelux

@@ -12,6 +12,7 @@
 
 #include "truelux/scene.h"
 
+#include "base/disjoint_sets.h"
 #include "base/id_vector.h"
 #include "base/ids.h"
 
@@ -108,6 +109,7 @@ class ConvexPieces {
                 TriangleId triangle);
   void LinkEdges();
   void FindPlanes(const Scene& scene);
+  void JoinCoplanar(const Scene& scene, DisjointSets<FacetId>& coplanar) const;
 
   IdVector<PieceId, Piece> pieces_;
   IdVector<EdgeId, VertexId> corners_;

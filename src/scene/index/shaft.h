@@ -36,6 +36,9 @@ class ShaftSource {
   ShaftSource(std::span<const Point3> vertices,
               std::span<const Triangle> facet);
 
+  /// The source's, exactly.
+  [[nodiscard]] const Box& box() const { return box_; }
+
  private:
   friend class Shaft;
 

@@ -24,6 +24,9 @@
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 
+#include "base/disjoint_sets.h"
+#include "base/id_vector.h"
+#include "base/ids.h"
 #include "exact/exact_conversion.h"
 #include "visibility/arrangement/arrangement_depth.h"
 #include "visibility/arrangement/image_segments.h"
@@ -34,6 +37,9 @@ namespace {
 using Traits = CGAL::Arr_curve_data_traits_2<CGAL::Arr_segment_traits_2<Kernel>,
                                              TriangleIds, JoinIds>;
 using Arrangement = CGAL::Arrangement_2<Traits>;
+/// Index of a face of the arrangement, in its order.
+using MapFaceId = Id<struct MapFaceTag>;
+
 using Face = Arrangement::Face_const_handle;
 using Halfedge = Arrangement::Halfedge_const_handle;
 
@@ -205,32 +211,24 @@ class MapBuilder {
 
   /// Joins the faces on both sides of every edge that separates nothing.
   void NumberParts() {
-    std::vector<std::size_t> parent;
     std::vector<const void*> faces;
-    std::unordered_map<const void*, std::size_t> index_of;
+    std::unordered_map<const void*, MapFaceId> id_of;
     for (auto face = arrangement_.faces_begin();
          face != arrangement_.faces_end(); ++face) {
-      index_of.emplace(&*face, parent.size());
-      parent.push_back(parent.size());
+      id_of.emplace(&*face, EndId<MapFaceId>(faces.size()));
       faces.push_back(&*face);
     }
-    const auto root = [&parent](std::size_t i) {
-      while (parent[i] != i) {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
-      }
-      return i;
-    };
+    DisjointSets<MapFaceId> parts(faces.size());
     for (auto edge = arrangement_.edges_begin();
          edge != arrangement_.edges_end(); ++edge) {
       const Face left = edge->face();
       const Face right = edge->twin()->face();
       if (front_.at(&*left) != front_.at(&*right)) continue;
-      parent[root(index_of.at(&*left))] = root(index_of.at(&*right));
+      parts.Join(id_of.at(&*left), id_of.at(&*right));
     }
-    std::vector<int> number(parent.size(), -1);
+    IdVector<MapFaceId, int> number(faces.size(), -1);
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      int& own = number[root(i)];
+      int& own = number[parts.LeastOf(EndId<MapFaceId>(i))];
       if (own < 0) own = part_count_++;
       part_.emplace(faces[i], own);
     }

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <span>
 #include <stdexcept>
-#include <utility>
 
 namespace truelux {
+
 template <class Geometry>
 ChainContour<Geometry>::ChainContour(
     const Scene& scene, const SceneIndex& index, Geometry& geometry,
@@ -136,14 +136,12 @@ void ChainContour<Geometry>::AddChainArcs(ChainEdgeId id,
     add(begin, end);
     return;
   }
-  const auto before = [&](const EdgePosition& a, const EdgePosition& b) {
-    return ComparePositions(geometry_, c.edge, a, b) == Sign::kNegative;
-  };
   for (const EdgeInterval& interval : inside) {
     const EdgePosition from =
-        before(begin, interval.begin) ? interval.begin : begin;
-    const EdgePosition to = before(interval.end, end) ? interval.end : end;
-    if (before(from, to)) add(from, to);
+        sweep_.IsBefore(begin, interval.begin) ? interval.begin : begin;
+    const EdgePosition to =
+        sweep_.IsBefore(interval.end, end) ? interval.end : end;
+    if (sweep_.IsBefore(from, to)) add(from, to);
   }
 }
 
@@ -204,13 +202,7 @@ void ChainContour<Geometry>::SweepChainEdge(ChainEdgeId id) {
   const std::span<const EdgeInterval> inside = intervals_.intervals();
   if (inside.empty()) return;
   const EdgePosition begin = inside.front().begin;
-  EdgePosition end = inside.front().end;
-  for (const EdgeInterval& interval : inside) {
-    if (ComparePositions(geometry_, c.edge, end, interval.end) ==
-        Sign::kNegative) {
-      end = interval.end;
-    }
-  }
+  const EdgePosition end = inside.back().end;
   sweep_.Start(c.edge, id, chain_.boxes()[id.index()], begin, end);
   std::optional<int> known = KnownDepth(states_[id]);
   if (!known) {
@@ -309,9 +301,10 @@ void ChainContour<Geometry>::SweepKnown() {
 
 template <class Geometry>
 void ChainContour<Geometry>::MakeChain(
-    const Shaft& shaft, const std::vector<SilhouetteEdge>* candidates) {
+    const Shaft& shaft, const Box& source_box,
+    const std::vector<SilhouetteEdge>* candidates) {
   shaft_ = &shaft;
-  chain_.Build(shaft, candidates);
+  chain_.Build(shaft, source_box, candidates);
   ++counts_.sources;
   states_.clear();
   states_.resize(chain_.edges().size());

@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "base/id_vector.h"
+#include "base/stamped_table.h"
 #include "visibility/chain/chain_counts.h"
 #include "visibility/chain/edge_sweep.h"
 #include "visibility/chain/source_chain.h"
@@ -36,9 +36,9 @@ class ChainContour {
                bool checks_depths);
 
   /// Makes the chain of the source that has been set. shaft: the source's; it
-  /// must outlive the calls of AppendArcs. candidates: as of
+  /// must outlive the calls of AppendArcs. source_box, candidates: as of
   /// SourceChain::Build.
-  void MakeChain(const Shaft& shaft,
+  void MakeChain(const Shaft& shaft, const Box& source_box,
                  const std::vector<SilhouetteEdge>* candidates);
 
   /// Appends the arcs that bound what is visible of the source, which may have

@@ -24,10 +24,14 @@ class SharedEdges {
   }
 
   /// The edges for the next receiver of the block; null if they are not shared.
-  /// block: a shaft around all receivers of the block, and their box.
+  /// make_shaft: returns a shaft around all receivers of the block, whose box is
+  /// given; called once a block.
+  template <class MakeShaft>
   const std::vector<SilhouetteEdge>* Get(const SilhouetteTree& tree,
-                                         const Shaft& shaft, const Box& box) {
+                                         const MakeShaft& make_shaft,
+                                         const Box& box) {
     if (state_ == State::kMeasured) {
+      const Shaft shaft = make_shaft();
       const std::size_t most = kMostMore * alone_ + kLeastMost;
       const bool all = tree.Visit(shaft, box, [&](const SilhouetteEdge& edge) {
         edges_.push_back(edge);

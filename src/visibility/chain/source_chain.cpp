@@ -62,32 +62,15 @@ bool SourceChain<Geometry>::IsInner(const SilhouetteEdge& edge) {
                                          cones_.ReceiverSide(edge.other_piece);
 }
 
-/// The sides of a piece's corners to the source's plane.
-template <class Geometry>
-CornerSigns SourceChain<Geometry>::SidesOf(PieceId piece, bool& any_front,
-                                           bool& any_behind) {
-  const auto corners = pieces_.CornersOf(piece);
-  CornerSigns sides{};
-  any_front = false;
-  any_behind = false;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    sides[k] = source_.plane().SideOf(corners[k]);
-    any_front = any_front || sides[k] == Sign::kPositive;
-    any_behind = any_behind || sides[k] == Sign::kNegative;
-  }
-  return sides;
-}
-
 /// Of a piece that blocks and has an edge in the source's plane: whether it
 /// lies in front of the source.
 template <class Geometry>
 bool SourceChain<Geometry>::BlocksAtPlane(PieceId piece) {
   const FacetId facet = pieces_.pieces()[piece].facet;
   if (source_.IsCoplanar(facet)) return source_.IsSeenBeforeSource(facet);
-  bool any_front = false;
-  bool any_behind = false;
-  SidesOf(piece, any_front, any_behind);
-  return any_front || (!any_behind && source_.IsSeenBeforeSource(facet));
+  const PieceSides sides = source_.plane().SidesOf(pieces_.CornersOf(piece));
+  return sides.any_front ||
+         (!sides.any_behind && source_.IsSeenBeforeSource(facet));
 }
 
 /// Where an edge, the first of equal ones, meets the source's plane between
@@ -209,27 +192,25 @@ void SourceChain<Geometry>::AddCut(PieceId piece, const CornerSigns& sides) {
 template <class Geometry>
 void SourceChain<Geometry>::AddPieceAtPlane(PieceId piece) {
   if (!Blocks(piece)) return;
-  if (source_.IsCoplanar(pieces_.pieces()[piece].facet)) {
+  const Piece& p = pieces_.pieces()[piece];
+  const auto corners = pieces_.CornersOf(p);
+  if (source_.IsCoplanar(p.facet)) {
     // Known without arithmetic.
-    for (const VertexId vertex : pieces_.CornersOf(piece))
+    for (const VertexId vertex : corners)
       source_.plane().MarkInPlane(vertex);
   }
-  bool any_front = false;
-  bool any_behind = false;
-  const CornerSigns sides = SidesOf(piece, any_front, any_behind);
-  if (any_front && any_behind) {
-    AddCut(piece, sides);
+  const PieceSides sides = source_.plane().SidesOf(corners);
+  if (sides.any_front && sides.any_behind) {
+    AddCut(piece, sides.signs);
     return;
   }
-  if (any_behind) return;
-  const Piece& p = pieces_.pieces()[piece];
-  for (const EdgeId edge : p.edges()) {
-    const auto k =
-        static_cast<std::size_t>(edge.value() - p.first_corner.value());
-    const std::size_t next =
-        k + 1 < static_cast<std::size_t>(p.corner_count) ? k + 1 : 0;
-    if (sides[k] == Sign::kZero && sides[next] == Sign::kZero)
-      AddEdge(pieces_.FirstSameEdge(edge));
+  if (sides.any_behind) return;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const std::size_t next = k + 1 < corners.size() ? k + 1 : 0;
+    if (sides.signs[k] != Sign::kZero || sides.signs[next] != Sign::kZero)
+      continue;
+    const EdgeId edge(p.first_corner.value() + static_cast<int>(k));
+    AddEdge(pieces_.FirstSameEdge(edge));
   }
 }
 
@@ -237,19 +218,12 @@ void SourceChain<Geometry>::AddPieceAtPlane(PieceId piece) {
 /// inner one although its pieces show r the same side, since only one of them
 /// lies in front.
 template <class Geometry>
-void SourceChain<Geometry>::AddAtSourcePlane() {
+void SourceChain<Geometry>::AddAtSourcePlane(const Box& source_box) {
   const auto vertices = VerticesOf(scene_);
-  Box box;
-  for (const FacetId facet : source_.facets()) {
-    for (const PieceId piece : pieces_.PiecesOf(facet)) {
-      for (const VertexId vertex : pieces_.CornersOf(piece))
-        box.Include(vertices[vertex]);
-    }
-  }
   const TriangleId triangle = source_.plane().triangle();
   const PlaneRegion region(
       geometry_.TriangleNormalFilter(triangle),
-      vertices[CornersOf(TrianglesOf(scene_)[triangle])[0]], box);
+      vertices[CornersOf(TrianglesOf(scene_)[triangle])[0]], source_box);
   index_.tree().Visit(region,
                       [this](int piece) { AddPieceAtPlane(PieceId(piece)); });
 }
@@ -295,7 +269,8 @@ void SourceChain<Geometry>::Link() {
 
 template <class Geometry>
 void SourceChain<Geometry>::Build(
-    const Shaft& shaft, const std::vector<SilhouetteEdge>* candidates) {
+    const Shaft& shaft, const Box& source_box,
+    const std::vector<SilhouetteEdge>* candidates) {
   edges_.clear();
   boxes_.clear();
   is_added_.Clear();
@@ -311,7 +286,7 @@ void SourceChain<Geometry>::Build(
   } else {
     index_.silhouettes().Visit(shaft, Box::Of(geometry_.view().position), add);
   }
-  AddAtSourcePlane();
+  AddAtSourcePlane(source_box);
   if (ignored_.on_face().valid()) AddIgnoredBorders(shaft);
   Link();
 }

@@ -46,10 +46,12 @@ class SourceChain {
               IgnoredFacetCache& ignored, ChainCounts& counts);
 
   /// Makes the chain of the source that has been set, as far as it meets the
-  /// hull of the source; edges outside may be missing.
+  /// hull of the source; edges outside may be missing. source_box: holds the
+  /// source.
   /// candidates: edges in the order of SilhouetteTree::Visit, among them all
   /// that it would call; null: it is asked.
-  void Build(const Shaft& shaft, const std::vector<SilhouetteEdge>* candidates);
+  void Build(const Shaft& shaft, const Box& source_box,
+             const std::vector<SilhouetteEdge>* candidates);
 
   /// How many edges were looked at to make the chain.
   [[nodiscard]] std::size_t looked_at() const { return looked_at_; }
@@ -89,8 +91,7 @@ class SourceChain {
   bool IsInner(const SilhouetteEdge& edge);
   bool AddEdge(EdgeId edge);
   bool BlocksAtPlane(PieceId piece);
-  CornerSigns SidesOf(PieceId piece, bool& any_front, bool& any_behind);
-  void AddAtSourcePlane();
+  void AddAtSourcePlane(const Box& source_box);
   void AddPieceAtPlane(PieceId piece);
   void AddCut(PieceId piece, const CornerSigns& sides);
   void AddIgnoredBorders(const Shaft& shaft);

@@ -83,22 +83,16 @@ bool BlockerParts<Geometry>::MakePart(PieceId piece, Part& part,
       })) {
     return false;
   }
-  CornerSigns sides{};
-  bool any_front = false;
-  bool any_behind = false;
-  const bool coplanar = source_.IsCoplanar(p.facet);
-  for (std::size_t k = 0; k < corners.size() && !coplanar; ++k) {
-    sides[k] = source_.plane().SideOf(corners[k]);
-    any_front = any_front || sides[k] == Sign::kPositive;
-    any_behind = any_behind || sides[k] == Sign::kNegative;
-  }
-  if (!any_front) {
+  PieceSides sides;
+  if (!source_.IsCoplanar(p.facet)) sides = source_.plane().SidesOf(corners);
+  if (!sides.any_front) {
     // In the source's plane it is wholly in front, or not at all.
-    if (any_behind || !source_.IsSeenBeforeSource(p.facet)) return false;
+    if (sides.any_behind || !source_.IsSeenBeforeSource(p.facet)) return false;
   }
   if (cones_.ReceiverSide(piece) == Sign::kZero) return false;
-  if (any_front && any_behind) {
-    part.cone = cones_.InFrontOf(source_.plane().triangle(), piece, sides);
+  if (sides.any_front && sides.any_behind) {
+    part.cone =
+        cones_.InFrontOf(source_.plane().triangle(), piece, sides.signs);
     box = source_.plane().BoxOf(part.cone);
     return box.Meets(source_.box());
   }

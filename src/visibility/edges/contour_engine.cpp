@@ -188,7 +188,7 @@ class BasicContourBuilder<kKind>::Impl {
                   EmitterId emitter) {
     if (!StartSource(group.emitters.facets)) return;
     const Shaft shaft = ShaftOf(group.shafts, query);
-    MakeChain(shaft, emitter);
+    MakeChain(shaft, group.shafts, emitter);
     const std::span<const FacetId> facets = source_.facets();
     const auto add = [&](std::size_t first, std::size_t end) {
       StopIfAsked(query.stop);
@@ -231,7 +231,7 @@ class BasicContourBuilder<kKind>::Impl {
     ++source_count_;
     const Shaft shaft = ShaftOf(shafts, query);
     if (UsesChain(shaft)) {
-      MakeChain(shaft, emitter);
+      MakeChain(shaft, shafts, emitter);
       chain_.AppendArcs(arcs_of_all_);
       return;
     }
@@ -263,16 +263,19 @@ class BasicContourBuilder<kKind>::Impl {
   }
 
   /// Makes the chain of the source that has been set. emitter: as of FindArcs.
-  void MakeChain(const Shaft& shaft, EmitterId emitter) {
+  void MakeChain(const Shaft& shaft, const ShaftSource& shafts,
+                 EmitterId emitter) {
     if (!emitter.valid()) {
-      chain_.MakeChain(shaft, nullptr);
+      chain_.MakeChain(shaft, shafts.box(), nullptr);
       return;
     }
     shared_edges_.Cover(engine_.emitters().size());
     if (!shared_edges_.Has(emitter)) shared_edges_.Renew(emitter).Start();
     SharedEdges& shared = shared_edges_[emitter];
-    chain_.MakeChain(shaft, shared.Get(engine_.index().silhouettes(),
-                                       BlockShaft(emitter), block_box_));
+    const auto make_shaft = [&] { return BlockShaft(shafts); };
+    chain_.MakeChain(
+        shaft, shafts.box(),
+        shared.Get(engine_.index().silhouettes(), make_shaft, block_box_));
     shared.Measure(chain_.looked_at());
   }
 
@@ -310,18 +313,17 @@ class BasicContourBuilder<kKind>::Impl {
   }
 
   /// Holds the shafts of all receivers of the block.
-  [[nodiscard]] Shaft BlockShaft(EmitterId emitter) const {
-    const ContourEngine::Group* const group =
-        source_.facets().size() > 1 ? engine_.GroupOf(emitter) : nullptr;
-    return {
-        group != nullptr ? group->shafts : engine_.emitters()[emitter].shafts,
-        block_box_, block_normal_};
+  [[nodiscard]] Shaft BlockShaft(const ShaftSource& shafts) const {
+    return {shafts, block_box_, block_normal_};
   }
 
+  /// What the block's receivers share on the way to a source.
   BlockCut& CutOf(EmitterId emitter) {
     cuts_.Cover(engine_.emitters().size());
-    if (!cuts_.Has(emitter))
-      cuts_.Renew(emitter).Start(engine_.tree(), BlockShaft(emitter));
+    if (!cuts_.Has(emitter)) {
+      cuts_.Renew(emitter).Start(
+          engine_.tree(), BlockShaft(engine_.emitters()[emitter].shafts));
+    }
     return cuts_[emitter];
   }
 

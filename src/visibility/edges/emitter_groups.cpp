@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/disjoint_sets.h"
 #include "base/id_vector.h"
 #include "exact/number.h"
 #include "scene/coplanar_overlap.h"
@@ -19,10 +20,7 @@ namespace {
 class Grouping {
  public:
   Grouping(const Scene& scene, const ConvexPieces& pieces)
-      : scene_(scene), pieces_(pieces) {
-    for (const FacetId facet : FacetsOf(scene).ids())
-      parents_.push_back(facet);
-  }
+      : scene_(scene), pieces_(pieces), connected_(scene.facets().size()) {}
 
   std::vector<EmitterGroup> Find() {
     Connect();
@@ -30,10 +28,10 @@ class Grouping {
     if (members_.empty()) return {};
     FindOverlapping();
     std::vector<std::vector<FacetId>> groups;
-    IdVector<FacetId, int> index(parents_.size(), -1);
+    IdVector<FacetId, int> index(scene_.facets().size(), -1);
     for (const FacetId facet : members_) {
       if (overlaps_[facet]) continue;
-      int& group = index[RootOf(facet)];
+      int& group = index[connected_.LeastOf(facet)];
       if (group < 0) {
         group = static_cast<int>(groups.size());
         groups.emplace_back();
@@ -67,15 +65,6 @@ class Grouping {
     return FacesOf(scene_)[FaceOf(scene_, facet)];
   }
 
-  /// Sets of facets are trees whose root is the first one.
-  FacetId RootOf(FacetId facet) {
-    while (parents_[facet] != facet) {
-      parents_[facet] = parents_[parents_[facet]];
-      facet = parents_[facet];
-    }
-    return facet;
-  }
-
   [[nodiscard]] bool AreInOnePlane(FacetId a, FacetId b) const {
     return pieces_.FirstInPlaneOf(a) == pieces_.FirstInPlaneOf(b) &&
            FacetsOf(scene_)[a].is_back == FacetsOf(scene_)[b].is_back;
@@ -100,33 +89,31 @@ class Grouping {
           !AreInOnePlane(facet, next)) {
         continue;
       }
-      const FacetId a = RootOf(facet);
-      const FacetId b = RootOf(next);
-      if (a == b) continue;
+      if (connected_.LeastOf(facet) == connected_.LeastOf(next)) continue;
       SetCorners(pieces_.PieceOf(edge), own);
       SetCorners(pieces_.PieceOf(other), others);
-      if (LookAlike(own, others)) parents_[std::max(a, b)] = std::min(a, b);
+      if (LookAlike(own, others)) connected_.Join(facet, next);
     }
   }
 
   /// The facets that have been joined with others.
   void FindMembers() {
     std::vector<FacetId> emitting;
-    IdVector<FacetId, int> sizes(parents_.size());
+    IdVector<FacetId, int> sizes(scene_.facets().size());
     for (const FacetId facet : FacetsOf(scene_).ids()) {
       if (!Emits(FaceOfFacet(facet))) continue;
       emitting.push_back(facet);
-      ++sizes[RootOf(facet)];
+      ++sizes[connected_.LeastOf(facet)];
     }
     for (const FacetId facet : emitting) {
-      if (sizes[RootOf(facet)] > 1) members_.push_back(facet);
+      if (sizes[connected_.LeastOf(facet)] > 1) members_.push_back(facet);
     }
   }
 
   /// Finds the members that overlap any facet that emits, or that did before
   /// the scene was varied.
   void FindOverlapping() {
-    overlaps_ = IdVector<FacetId, bool>(parents_.size());
+    overlaps_ = IdVector<FacetId, bool>(scene_.facets().size());
     std::vector<PieceId> emitting;
     std::vector<Box> boxes;
     for (const PieceId piece : pieces_.pieces().ids()) {
@@ -150,9 +137,9 @@ class Grouping {
         BoxOverlap region(box);
         tree.Visit(region, [&](int index) {
           const PieceId other = emitting[static_cast<std::size_t>(index)];
-          if (overlaps_[facet] || other == piece || IsNeighbour(piece, other)) {
-            return;
-          }
+          // A facet does not overlap itself.
+          const bool is_own = pieces_.pieces()[other].facet == facet;
+          if (overlaps_[facet] || is_own) return;
           SetCorners(other, others);
           if (!OverlapInPlane(own, others)) return;
           overlaps_[facet] = true;
@@ -160,11 +147,6 @@ class Grouping {
         });
       }
     }
-  }
-
-  /// Whether both are of one facet, which does not overlap itself.
-  [[nodiscard]] bool IsNeighbour(PieceId a, PieceId b) const {
-    return pieces_.pieces()[a].facet == pieces_.pieces()[b].facet;
   }
 
   void SetCorners(PieceId piece, std::vector<Point3>& corners) const {
@@ -175,7 +157,7 @@ class Grouping {
 
   const Scene& scene_;
   const ConvexPieces& pieces_;
-  IdVector<FacetId, FacetId> parents_;
+  DisjointSets<FacetId> connected_;
   std::vector<FacetId> members_;
   IdVector<FacetId, bool> overlaps_;
 };

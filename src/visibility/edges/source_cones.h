@@ -21,8 +21,8 @@
 
 namespace truelux {
 
-/// The cones of one source S after the other: those of a facet's pieces, above
-/// the horizon.
+/// The cones of one source S after the other: those of the pieces of a facet, or
+/// of the facets of an EmitterGroup, above the horizon.
 template <class Geometry>
 class SourceCones {
  public:

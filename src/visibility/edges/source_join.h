@@ -33,7 +33,8 @@ class SourceJoin {
     open_.clear();
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       const EdgeId edge = arcs[i].own_edge;
-      if (edge != kNoEdge && IsShared(edge)) open_.push_back({Name(edge), i});
+      if (edge != kNoEdge && IsShared(edge))
+        open_.push_back({pieces_.FirstSameEdge(edge), i});
     }
     // Arcs of one edge come together, in their order.
     std::ranges::sort(open_, [](const Open& a, const Open& b) {
@@ -73,15 +74,6 @@ class SourceJoin {
       if (EmissionAt(other) == EmissionAt(edge)) return true;
     }
     return false;
-  }
-
-  [[nodiscard]] EdgeId Name(EdgeId edge) const {
-    EdgeId least = edge;
-    for (EdgeId other = pieces_.NextSameEdge(edge); other != edge;
-         other = pieces_.NextSameEdge(other)) {
-      least = std::min(least, other);
-    }
-    return least;
   }
 
   /// Whether two arcs of the same edge cover the same part of it, seen from

@@ -16,6 +16,13 @@
 
 namespace truelux {
 
+/// On which sides of a plane the corners of a piece lie.
+struct PieceSides {
+  CornerSigns signs{};      ///< in the piece's order
+  bool any_front = false;   ///< some corner is strictly in front
+  bool any_behind = false;  ///< some corner is strictly behind
+};
+
 /// Answers about one plane after the other; each direction and each vertex is
 /// looked at once per plane. Answers are values: later questions move nothing.
 template <class Geometry>
@@ -51,6 +58,18 @@ class SourcePlane {
     return EntryOf(geometry_.VertexDirection(vertex)).side.Get([&] {
       return geometry_.VertexSide(triangle_, vertex);
     });
+  }
+
+  /// The same of the corners of a piece.
+  PieceSides SidesOf(std::span<const VertexId> corners) {
+    PieceSides sides;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Sign sign = SideOf(corners[k]);
+      sides.signs[k] = sign;
+      sides.any_front = sides.any_front || sign == Sign::kPositive;
+      sides.any_behind = sides.any_behind || sign == Sign::kNegative;
+    }
+    return sides;
   }
 
  private:

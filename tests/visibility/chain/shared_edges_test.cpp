@@ -191,21 +191,22 @@ TEST(SharedEdges, AreTheEdgesOfTheBlockIfTheFirstReceiverHasManyOfThem) {
   const RoundUpward rounding;
   const Box block{{-0.1, -0.1, 0}, {0.1, 0.1, 0}};
   const Shaft shaft(sphere.lamp(), block);
+  const auto make_shaft = [&] { return shaft; };
   const std::vector<EdgeId> expected = Visited(sphere.tree, shaft, block);
   ASSERT_GT(expected.size(), 50U);
   SharedEdges shared;
   for (int i = 0; i < 3; ++i) {
     shared.Start();
     // The first receiver is by itself.
-    EXPECT_EQ(shared.Get(sphere.tree, shaft, block), nullptr);
-    EXPECT_EQ(shared.Get(sphere.tree, shaft, block), nullptr);
+    EXPECT_EQ(shared.Get(sphere.tree, make_shaft, block), nullptr);
+    EXPECT_EQ(shared.Get(sphere.tree, make_shaft, block), nullptr);
     shared.Measure(expected.size() / 2);
-    const auto* edges = shared.Get(sphere.tree, shaft, block);
+    const auto* edges = shared.Get(sphere.tree, make_shaft, block);
     ASSERT_NE(edges, nullptr);
     EXPECT_EQ(IdsOf(edges), expected);
     // What other receivers look at does not matter.
     shared.Measure(0);
-    EXPECT_EQ(shared.Get(sphere.tree, shaft, block), edges);
+    EXPECT_EQ(shared.Get(sphere.tree, make_shaft, block), edges);
     EXPECT_EQ(IdsOf(edges), expected);
   }
 }
@@ -215,17 +216,18 @@ TEST(SharedEdges, AreNotSharedIfTheFirstReceiverHasFewOfThem) {
   const RoundUpward rounding;
   const Box block{{-9, -9, 0}, {9, 9, 0}};
   const Shaft shaft(sphere.lamp(), block);
+  const auto make_shaft = [&] { return shaft; };
   ASSERT_GT(Visited(sphere.tree, shaft, block).size(), 100U);
   SharedEdges shared;
   shared.Start();
   shared.Measure(1);
-  EXPECT_EQ(shared.Get(sphere.tree, shaft, block), nullptr);
+  EXPECT_EQ(shared.Get(sphere.tree, make_shaft, block), nullptr);
   shared.Measure(1000000);
-  EXPECT_EQ(shared.Get(sphere.tree, shaft, block), nullptr);
+  EXPECT_EQ(shared.Get(sphere.tree, make_shaft, block), nullptr);
   // Another block.
   shared.Start();
   shared.Measure(1000000);
-  EXPECT_NE(shared.Get(sphere.tree, shaft, block), nullptr);
+  EXPECT_NE(shared.Get(sphere.tree, make_shaft, block), nullptr);
 }
 
 TEST(SharedEdges, OfABlockAreThoseOfEachReceiverInTheSameOrderAndMore) {
@@ -242,8 +244,8 @@ TEST(SharedEdges, OfABlockAreThoseOfEachReceiverInTheSameOrderAndMore) {
     SharedEdges shared;
     shared.Start();
     shared.Measure(1000000);
-    const std::vector<EdgeId> of_block =
-        IdsOf(shared.Get(sphere.tree, Shaft(sphere.lamp(), block), block));
+    const std::vector<EdgeId> of_block = IdsOf(shared.Get(
+        sphere.tree, [&] { return Shaft(sphere.lamp(), block); }, block));
     for (const Point3& r : receivers) {
       const std::vector<EdgeId> alone =
           Visited(sphere.tree, Shaft(sphere.lamp(), Box::Of(r)), Box::Of(r));

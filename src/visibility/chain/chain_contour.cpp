@@ -11,7 +11,7 @@ template <class Geometry>
 ChainContour<Geometry>::ChainContour(
     const Scene& scene, const SceneIndex& index, Geometry& geometry,
     ConeMaker<Geometry>& cones, SourceCones<Geometry>& source,
-    DirectionSides<Geometry>& source_sides, BlockerParts<Geometry>& blockers,
+    SourceIntervals<Geometry>& intervals, BlockerParts<Geometry>& blockers,
     IgnoredFacetCache& ignored, bool checks_depths)
     : geometry_(geometry),
       cones_(cones),
@@ -20,7 +20,7 @@ ChainContour<Geometry>::ChainContour(
       chain_(scene, index, geometry, cones, source, ignored, counts_),
       depth_(scene, index, geometry, cones, source, blockers, ignored, counts_),
       sweep_(geometry, cones, blockers, chain_, counts_),
-      intervals_(geometry, cones, source, source_sides, counts_) {}
+      intervals_(intervals) {}
 
 /// Notes a depth of a chain edge that has not been swept.
 template <class Geometry>
@@ -198,7 +198,7 @@ template <class Geometry>
 void ChainContour<Geometry>::SweepChainEdge(ChainEdgeId id) {
   const ChainEdge& c = chain_.edges()[id];
   states_[id].is_swept = true;
-  intervals_.Find(c.edge);
+  intervals_.Find(c.edge, source_.plane().BoxOfEdge(c.edge.from, c.edge.to));
   const std::span<const EdgeInterval> inside = intervals_.intervals();
   if (inside.empty()) return;
   const EdgePosition begin = inside.front().begin;

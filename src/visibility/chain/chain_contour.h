@@ -14,10 +14,9 @@
 #include "visibility/chain/chain_counts.h"
 #include "visibility/chain/edge_sweep.h"
 #include "visibility/chain/source_chain.h"
-#include "visibility/chain/source_intervals.h"
 #include "visibility/chain/start_depth.h"
-#include "visibility/edges/direction_sides.h"
 #include "visibility/edges/source_contour.h"
+#include "visibility/edges/source_intervals.h"
 
 namespace truelux {
 
@@ -31,7 +30,7 @@ class ChainContour {
   /// what the tree says. The arguments must outlive the object.
   ChainContour(const Scene& scene, const SceneIndex& index, Geometry& geometry,
                ConeMaker<Geometry>& cones, SourceCones<Geometry>& source,
-               DirectionSides<Geometry>& source_sides,
+               SourceIntervals<Geometry>& intervals,
                BlockerParts<Geometry>& blockers, IgnoredFacetCache& ignored,
                bool checks_depths);
 
@@ -108,7 +107,7 @@ class ChainContour {
   SourceChain<Geometry> chain_;
   StartDepth<Geometry> depth_;
   EdgeSweep<Geometry> sweep_;
-  SourceIntervals<Geometry> intervals_;  ///< of the chain edge that is swept
+  SourceIntervals<Geometry>& intervals_;  ///< of the chain edge that is swept
   const Shaft* shaft_ = nullptr;
   std::vector<ViewArc>* arcs_ = nullptr;
   IdVector<ChainEdgeId, State> states_;

@@ -16,6 +16,7 @@ struct ChainCounts {
   std::uint64_t in_plane = 0;    ///< edges that lie in it
   std::uint64_t borders = 0;     ///< edges of what on_face takes away
   std::uint64_t diagonals = 0;   ///< intervals on a diagonal of the source
+  std::uint64_t touching = 0;    ///< edges that touch the source's outline
   std::uint64_t overlaps = 0;    ///< of edges with others in one plane
   std::uint64_t queries = 0;     ///< depths that the tree was asked for
   std::uint64_t wide = 0;        ///< of them, those for which no ray was known

@@ -17,6 +17,7 @@
 #include "visibility/edges/direction_sides.h"
 #include "visibility/edges/source_cones.h"
 #include "visibility/edges/source_contour.h"
+#include "visibility/edges/source_intervals.h"
 #include "visibility/edges/source_join.h"
 
 namespace truelux {
@@ -82,17 +83,21 @@ class BasicContourBuilder<kKind>::Impl {
         source_(engine.scene(), engine.pieces(), geometry_, cones_),
         source_sides_(geometry_),
         blockers_(engine.pieces(), geometry_, cones_, source_, source_sides_),
+        intervals_(geometry_, cones_, source_, source_sides_),
         arcs_(engine.pieces(), geometry_, cones_, source_, blockers_,
-              source_sides_),
+              intervals_),
         join_(engine.scene(), engine.pieces(), geometry_),
         writer_(engine.scene(), engine.pieces(), geometry_),
         ignored_(engine.scene()),
         chain_(engine.scene(), engine.index(), geometry_, cones_, source_,
-               source_sides_, blockers_, ignored_,
+               intervals_, blockers_, ignored_,
                engine.path() == ContourPath::kCheckedChain) {}
 
-  [[nodiscard]] const ChainCounts& chain_counts() const {
-    return chain_.counts();
+  [[nodiscard]] ChainCounts chain_counts() const {
+    ChainCounts counts = chain_.counts();
+    counts.diagonals = intervals_.on_diagonals();
+    counts.touching = intervals_.touching();
+    return counts;
   }
 
   void StartBlock(std::span<const Receiver> receivers) {
@@ -333,6 +338,7 @@ class BasicContourBuilder<kKind>::Impl {
   SourceCones<BasicViewGeometry<kKind>> source_;
   DirectionSides<BasicViewGeometry<kKind>> source_sides_;
   BlockerParts<BasicViewGeometry<kKind>> blockers_;
+  SourceIntervals<BasicViewGeometry<kKind>> intervals_;
   SourceContour<BasicViewGeometry<kKind>> arcs_;
   SourceJoin<BasicViewGeometry<kKind>> join_;
   ContourWriter<BasicViewGeometry<kKind>> writer_;
@@ -380,7 +386,7 @@ void BasicContourBuilder<kKind>::Build(const ContourQuery& query,
 }
 
 template <PredicateKind kKind>
-const ChainCounts& BasicContourBuilder<kKind>::chain_counts() const {
+ChainCounts BasicContourBuilder<kKind>::chain_counts() const {
   return impl_->chain_counts();
 }
 

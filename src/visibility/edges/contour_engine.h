@@ -120,7 +120,7 @@ class BasicContourBuilder {
   void Build(const ContourQuery& query, Contour& contour);
 
   /// Of all Build calls so far.
-  [[nodiscard]] const ChainCounts& chain_counts() const;
+  [[nodiscard]] ChainCounts chain_counts() const;
 
  private:
   class Impl;

@@ -18,13 +18,13 @@ SourceContour<Geometry>::SourceContour(const ConvexPieces& pieces,
                                        ConeMaker<Geometry>& cones,
                                        SourceCones<Geometry>& source,
                                        BlockerParts<Geometry>& blockers,
-                                       DirectionSides<Geometry>& sides)
+                                       SourceIntervals<Geometry>& intervals)
     : pieces_(pieces),
       geometry_(geometry),
       cones_(cones),
       source_(source),
       blockers_(blockers),
-      source_sides_(sides) {}
+      intervals_(intervals) {}
 
 /// Whether some other blocker has this edge, too, and lies on its other side.
 /// Seen from r both run counter-clockwise, so that they lie on opposite sides
@@ -83,43 +83,14 @@ bool SourceContour<Geometry>::IsOwnedBefore(const Part& part,
   return owner.valid() && owner < id;
 }
 
-/// Adds the interval of a blocker's edge that lies in a cone of the source,
-/// the one that source_sides_ is about, if arcs can be there.
-template <class Geometry>
-void SourceContour<Geometry>::StartEdge(std::size_t k, const Part& source) {
-  const ViewEdge& edge = edges_[k];
-  BundleSides& from = source_sides_.Of(edge.from);
-  BundleSides& to = source_sides_.Of(edge.to);
-  const std::uint32_t all = geometry_.BundleMask(source.cone.bundle);
-  if ((from.positive & to.positive) == all) {
-    ranges_[k].Start(kEdgeFrom, kEdgeTo);
-    return;
-  }
-  Cover cover;
-  if (!CoverOf(geometry_, edge, source.cone, from, to, cover)) return;
-  if (cover.side != Sign::kZero) {
-    // In the plane of a source's edge, that edge owns the arcs. On a diagonal
-    // the cone on the other side of the blocker can be seen.
-    const bool is_diagonal = !source.candidates[cover.coincident].valid();
-    if (!is_diagonal || cover.side == Sign::kPositive) return;
-  }
-  ranges_[k].Start(cover.begin, cover.end);
-}
-
-/// Starts the edges of a blocker with what lies in the cones of the source.
+/// Starts the edges of a blocker with what lies inside the source.
 template <class Geometry>
 void SourceContour<Geometry>::StartBlocker(const Owner& owner) {
-  const auto boxes = source_.boxes();
-  for (std::size_t s = 0; s < boxes.size(); ++s) {
-    if (!blockers_.boxes()[owner.index].Meets(boxes[s])) continue;
-    const Part& source = source_.parts()[s];
-    // The only cone of a source has been chosen for all blockers.
-    if (boxes.size() > 1) source_sides_.SetBundle(source.cone.bundle);
-    for (std::size_t k = 0; k < owner.part->cone.size; ++k) {
-      const bool is_near =
-          owner.part->candidates[k].valid() && boxes_[k].Meets(boxes[s]);
-      if (is_near) StartEdge(k, source);
-    }
+  for (std::size_t k = 0; k < owner.part->cone.size; ++k) {
+    if (!owner.part->candidates[k].valid()) continue;
+    intervals_.Find(edges_[k], boxes_[k]);
+    for (const EdgeInterval& interval : intervals_.intervals())
+      ranges_[k].Start(interval.begin, interval.end);
   }
 }
 
@@ -231,6 +202,7 @@ void SourceContour<Geometry>::AppendArcs(std::vector<ViewArc>& arcs) {
   if (!are_dropped && blockers_.parts().size() >= kManyBlockers)
     blockers_.DropHidden(bins_);
   NumberCandidates();
+  intervals_.SetSource();
   for (std::size_t s = 0; s < source_.parts().size(); ++s)
     SweepPart({&source_.parts()[s], s, false});
   for (std::size_t p = 0; p < blockers_.parts().size(); ++p)

@@ -18,10 +18,10 @@
 
 #include "visibility/edges/blocker_parts.h"
 #include "visibility/edges/coverage.h"
-#include "visibility/edges/direction_sides.h"
 #include "visibility/edges/open_range.h"
 #include "visibility/edges/part_bins.h"
 #include "visibility/edges/source_cones.h"
+#include "visibility/edges/source_intervals.h"
 
 namespace truelux {
 
@@ -41,7 +41,7 @@ class SourceContour {
   SourceContour(const ConvexPieces& pieces, Geometry& geometry,
                 ConeMaker<Geometry>& cones, SourceCones<Geometry>& source,
                 BlockerParts<Geometry>& blockers,
-                DirectionSides<Geometry>& sides);
+                SourceIntervals<Geometry>& intervals);
 
   /// Appends the arcs that bound what is visible of the source behind its
   /// blockers; none if nothing is visible.
@@ -64,7 +64,6 @@ class SourceContour {
   void SweepPart(const Owner& owner);
   std::uint32_t StartEdges(const Owner& owner);
   void StartBlocker(const Owner& owner);
-  void StartEdge(std::size_t k, const Part& source);
   bool Hide(const Owner& owner, std::size_t p, std::uint32_t& open);
   void AddArc(const Owner& owner, std::size_t k, const VisiblePiece& piece);
 
@@ -73,7 +72,7 @@ class SourceContour {
   ConeMaker<Geometry>& cones_;
   SourceCones<Geometry>& source_;
   BlockerParts<Geometry>& blockers_;
-  DirectionSides<Geometry>& source_sides_;  ///< to a cone of source_
+  SourceIntervals<Geometry>& intervals_;  ///< of the edge that is started
   PartBins bins_;
   std::vector<ViewArc>* arcs_ = nullptr;  ///< of the call that is running
 

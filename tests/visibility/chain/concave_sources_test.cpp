@@ -12,6 +12,7 @@
 #include "support/portable_random.h"
 #include "support/random_scene.h"
 #include "support/scenes.h"
+#include "support/shattered.h"
 #include "support/sweep.h"
 #include "visibility/edges/contour_engine.h"
 
@@ -90,8 +91,12 @@ TEST(ConcaveSources, BothPathsAgree) {
     const Scene scene = MakeScene(faces);
     const ContourEngine by_blockers(scene, ContourPath::kBlockers);
     const ContourEngine by_chain(scene, ContourPath::kCheckedChain);
+    // Its sources are single cones, without an outline.
+    const Scene shattered = Shattered(scene);
+    const ContourEngine by_triangles(shattered, ContourPath::kBlockers);
     ContourBuilder blockers_path(by_blockers);
     ContourBuilder chain_path(by_chain);
+    ContourBuilder triangles_path(by_triangles);
     for (int i = 0; i < 4; ++i) {
       const Receiver r{
           {2.0 * random.Integer(-1, 1), 2.0 * random.Integer(-1, 1),
@@ -101,18 +106,24 @@ TEST(ConcaveSources, BothPathsAgree) {
       const ContourQuery query{scene, r};
       Contour contour;
       blockers_path.Build(query, contour);
-      const Rgb expected = EvaluateContour(query, contour, {}).value;
+      const Rgb by_outline = EvaluateContour(query, contour, {}).value;
+      const ContourQuery in_triangles{shattered, r};
+      triangles_path.Build(in_triangles, contour);
+      const Rgb expected = EvaluateContour(in_triangles, contour, {}).value;
+      ASSERT_EQ(by_outline, expected) << "seed " << seed << ", receiver " << i;
       chain_path.Build(query, contour);
       const Rgb actual = EvaluateContour(query, contour, {}).value;
       ASSERT_EQ(actual, expected) << "seed " << seed << ", receiver " << i;
       if (actual[0] > 0 && contour.arcs.size() > faces[0].ring.size()) ++shaded;
     }
     counts.diagonals += chain_path.chain_counts().diagonals;
+    counts.touching += chain_path.chain_counts().touching;
     counts.entered += chain_path.chain_counts().entered;
     counts.propagated += chain_path.chain_counts().propagated;
   }
   EXPECT_GT(shaded, count);
   EXPECT_GT(counts.diagonals, 100U);
+  EXPECT_GT(counts.touching, 1000U);
   EXPECT_GT(counts.entered, 1000U);
   EXPECT_GT(counts.propagated, 1000U);
 }

@@ -180,6 +180,7 @@ TEST_P(PathsAgree, OnScenesOfAllKinds) {
     counts.in_plane += more.in_plane;
     counts.borders += more.borders;
     counts.diagonals += more.diagonals;
+    counts.touching += more.touching;
     counts.overlaps += more.overlaps;
     counts.wide += more.wide;
     counts.entered += more.entered;
@@ -256,8 +257,9 @@ INSTANTIATE_TEST_SUITE_P(
                            120,
                            CutLamps,
                            true,
-                           {&ChainCounts::diagonals, &ChainCounts::entered,
-                            &ChainCounts::in_plane, &ChainCounts::crossed}},
+                           {&ChainCounts::diagonals, &ChainCounts::touching,
+                            &ChainCounts::entered, &ChainCounts::in_plane,
+                            &ChainCounts::crossed}},
                       Kind{"FarAway",
                            40,
                            FarAway,

@@ -13,6 +13,7 @@
 
 #include "support/portable_random.h"
 #include "support/scenes.h"
+#include "support/shattered.h"
 
 namespace truelux {
 namespace {
@@ -46,20 +47,6 @@ std::vector<Scene> TryScene(const std::vector<TestFace>& faces) {
     builder.AddFace(face.ring, face.emission);
   const Result<Scene> scene = builder.Build();
   return scene.ok() ? std::vector{*scene.value} : std::vector<Scene>{};
-}
-
-/// The same with every triangle of every face as a face of its own.
-Scene Shattered(const Scene& scene) {
-  SceneBuilder builder;
-  for (const Triangle& t : scene.triangles()) {
-    std::vector<Point3> ring;
-    for (const int v : t.vertices)
-      ring.push_back(scene.vertices()[static_cast<std::size_t>(v)]);
-    const Facet& facet = scene.facets()[static_cast<std::size_t>(t.facet)];
-    builder.AddFace(
-        ring, scene.faces()[static_cast<std::size_t>(facet.face)].emission);
-  }
-  return *builder.Build().value;
 }
 
 TEST(ConcaveFaces, AllEnginesAndTheTrianglesAgree) {

@@ -198,7 +198,7 @@ template <class Geometry>
 void ChainContour<Geometry>::SweepChainEdge(ChainEdgeId id) {
   const ChainEdge& c = chain_.edges()[id];
   states_[id].is_swept = true;
-  intervals_.Find(c.edge, source_.plane().BoxOfEdge(c.edge.from, c.edge.to));
+  intervals_.Find(c.edge, chain_.boxes()[id.index()]);
   const std::span<const EdgeInterval> inside = intervals_.intervals();
   if (inside.empty()) return;
   const EdgePosition begin = inside.front().begin;

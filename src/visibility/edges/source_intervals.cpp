@@ -7,11 +7,6 @@
 
 namespace truelux {
 
-template <class Geometry>
-void SourceIntervals<Geometry>::SetSource() {
-  if (source_.parts().size() > 1) outline_.SetSource();
-}
-
 /// Adds the interval in one cone. On an edge of the source that edge has the
 /// arcs; on a diagonal, where both sides are source, the cone on the positive
 /// side stands for both. source_sides_: to the cone.
@@ -32,6 +27,14 @@ void SourceIntervals<Geometry>::FindInCone(const ViewEdge& edge, Cone& cone) {
     ++on_diagonals_;
   }
   intervals_.push_back({cover.begin, cover.end});
+}
+
+template <class Geometry>
+bool SourceIntervals<Geometry>::FindByOutline(const ViewEdge& edge,
+                                              const ImageBox& box) {
+  if (!has_outline_) outline_.SetSource();
+  has_outline_ = true;
+  return outline_.Clip(edge, box, intervals_);
 }
 
 template <class Geometry>
@@ -60,7 +63,7 @@ void SourceIntervals<Geometry>::Find(const ViewEdge& edge,
   if (!box.Meets(source_.box())) return;
   if (source_.parts().size() == 1) {
     FindInCone(edge, source_.parts().front().cone);
-  } else if (!outline_.Clip(edge, box, intervals_)) {
+  } else if (!FindByOutline(edge, box)) {
     intervals_.clear();
     FindInCones(edge, box);
   }

@@ -32,7 +32,7 @@ class SourceIntervals {
         outline_(geometry, cones, source) {}
 
   /// Starts with the source that has been set or narrowed.
-  void SetSource();
+  void SetSource() { has_outline_ = false; }
 
   /// Finds the intervals of an edge, in order. They do not overlap. Along an
   /// edge of the source there are none; along a diagonal there are.
@@ -52,6 +52,7 @@ class SourceIntervals {
 
  private:
   void FindInCone(const ViewEdge& edge, Cone& cone);
+  bool FindByOutline(const ViewEdge& edge, const ImageBox& box);
   void FindInCones(const ViewEdge& edge, const ImageBox& box);
 
   Geometry& geometry_;
@@ -59,6 +60,7 @@ class SourceIntervals {
   SourceCones<Geometry>& source_;
   DirectionSides<Geometry>& source_sides_;
   SourceOutline<Geometry> outline_;  ///< of a source of several cones
+  bool has_outline_ = false;         ///< made at the first edge that needs it
   std::vector<EdgeInterval> intervals_;
   std::uint64_t on_diagonals_ = 0;
   std::uint64_t touching_ = 0;

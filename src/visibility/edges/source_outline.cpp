@@ -84,7 +84,6 @@ bool SourceOutline<Geometry>::FindPassages(const ViewEdge& edge,
 template <class Geometry>
 bool SourceOutline<Geometry>::Clip(const ViewEdge& edge, const ImageBox& box,
                                    std::vector<EdgeInterval>& intervals) {
-  intervals.clear();
   if (!FindPassages(edge, box)) return false;
   if (passages_.empty()) {
     const Place place = PlaceOf(edge.from);

@@ -48,8 +48,9 @@ class SourceOutline {
     });
   }
 
-  /// Finds the intervals of an edge inside the source, in order. box: the
-  /// edge's. False, and nothing said, where the edge and the outline touch.
+  /// Appends the intervals of an edge inside the source, in order. box: the
+  /// edge's. False, and nothing said by what was appended, where the edge and
+  /// the outline touch.
   bool Clip(const ViewEdge& edge, const ImageBox& box,
             std::vector<EdgeInterval>& intervals);
 

@@ -157,6 +157,30 @@ TEST(FormFactors, OfFacesThatShareEdges) {
   EXPECT_EQ(seen.dark, 0);
 }
 
+// A lamp in tiles is one source until its tiles are asked for; few and many
+// edges between, so that a face alone would choose one path or the other.
+TEST(FormFactors, OfATiledLampBehindFewAndManyTriangles) {
+  Seen seen;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    PortableRandom random(seed);
+    std::vector<TestFace> faces =
+        RandomScene(random, true, random.Integer(4, 40), 3);
+    for (TestFace& face : faces)
+      face.emission = kBlack;
+    for (int x = -6; x < 6; x += 4) {
+      for (int y = -6; y < 6; y += 4)
+        faces.push_back({Ceiling(x, x + 4, y, y + 4, 4), kLamp});
+    }
+    SCOPED_TRACE(seed);
+    const Receiver receiver{
+        {0.25 * random.Integer(-8, 8), 0.5, -4}, {0.25, 0, 1}, 0};
+    ExpectEachAlone(MakeScene(faces), receiver, FastOptions(), seen);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(seen.lit, 500);
+  EXPECT_GT(seen.dark, 50);
+}
+
 /// A quad that is bent along a diagonal, between two others.
 Scene BentLamp() {
   return MakeScene({{Ceiling(-3, -2, 0, 1, 1), kLamp},

@@ -14,10 +14,8 @@ void EdgeSweep<Geometry>::AddOverlap(ChainEdgeId other) {
   const ChainEdge& f = chain_.edges()[other];
   Part part;
   ImageBox box = chain_.boxes()[other.index()];
-  if (!blockers_.MakePart(f.owner, part, box)) {
-    ends_alone_ = false;  // not known
-    return;
-  }
+  // Outside the source's box it ends nothing that is inside.
+  if (!blockers_.MakePart(f.owner, part, box)) return;
   cones_.Complete(part.cone);
   BundleSides from;
   BundleSides to;
@@ -72,18 +70,19 @@ void EdgeSweep<Geometry>::TryJump(ChainEdgeId other) {
     AddOverlap(other);
     return;
   }
-  const Side v = geometry_.PlaneSide(f.edge.plane, e.to);
-  if (v.sign == Sign::kZero) {
-    ends_alone_ = false;
-    return;
-  }
   const Side u = geometry_.PlaneSide(f.edge.plane, e.from);
-  if (u.sign == Sign::kZero || u.sign == v.sign) return;
+  if (u.sign == Sign::kZero) return;
+  const Side v = geometry_.PlaneSide(f.edge.plane, e.to);
+  if (u.sign == v.sign) return;
   // Where e enters the positive side of f, f leaves that of e; else the two
   // planes meet there in opposite directions.
   const bool enters = u.sign == Sign::kNegative;
   const Sign first = enters ? Sign::kPositive : Sign::kNegative;
   if (p == -first || q == first) return;
+  if (v.sign == Sign::kZero) {
+    ends_alone_ = false;
+    return;
+  }
   const Sign swept_side = IsSource() ? Sign::kPositive : Sign::kNegative;
   if (p == Sign::kZero && q != swept_side) return;
   if (q == Sign::kZero && p != swept_side) return;

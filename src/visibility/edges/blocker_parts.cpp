@@ -77,14 +77,9 @@ template <class Geometry>
 bool BlockerParts<Geometry>::MakePart(PieceId piece, Part& part,
                                       ImageBox& box) {
   const Piece& p = pieces_.pieces()[piece];
-  const auto corners = pieces_.CornersOf(p);
-  if (std::ranges::none_of(corners, [this](VertexId v) {
-        return cones_.HorizonSide(v) == Sign::kPositive;
-      })) {
-    return false;
-  }
   PieceSides sides;
-  if (!source_.IsCoplanar(p.facet)) sides = source_.plane().SidesOf(corners);
+  if (!source_.IsCoplanar(p.facet))
+    sides = source_.plane().SidesOf(pieces_.CornersOf(p));
   if (!sides.any_front) {
     // In the source's plane it is wholly in front, or not at all.
     if (sides.any_behind || !source_.IsSeenBeforeSource(p.facet)) return false;
@@ -102,6 +97,11 @@ bool BlockerParts<Geometry>::MakePart(PieceId piece, Part& part,
 
 template <class Geometry>
 void BlockerParts<Geometry>::Add(PieceId piece, const ImageBox& box) {
+  if (std::ranges::none_of(pieces_.CornersOf(piece), [this](VertexId v) {
+        return cones_.HorizonSide(v) == Sign::kPositive;
+      })) {
+    return;
+  }
   Part part;
   ImageBox part_box = box;
   if (!MakePart(piece, part, part_box) || IsApart(part.cone, part_box)) return;

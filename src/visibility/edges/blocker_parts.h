@@ -40,9 +40,9 @@ class BlockerParts {
   /// its box.
   bool MayBlock(PieceId piece, ImageBox& box);
 
-  /// Makes the part of a piece that lies in front of the source. box: of the
-  /// piece before, of the part after. False if no part of the piece can hide
-  /// anything. Requires MayBlock.
+  /// Makes the part of a piece that lies in front of the source's plane, above
+  /// the horizon or not. box: of the piece before, of the part after. False if
+  /// there is none, or if its box does not meet the source's.
   bool MakePart(PieceId piece, Part& part, ImageBox& box);
 
   /// Whether a cone, whose box is given, contains every cone of the source.

@@ -4,17 +4,15 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/stamped_table.h"
 #include "base/stop.h"
 #include "scene/emitters.h"
 #include "scene/scene_access.h"
 #include "visibility/chain/chain_contour.h"
-#include "visibility/chain/shared_edges.h"
-#include "visibility/edges/block_cut.h"
 #include "visibility/edges/blocker_parts.h"
 #include "visibility/edges/cone.h"
 #include "visibility/edges/contour_writer.h"
 #include "visibility/edges/direction_sides.h"
+#include "visibility/edges/receiver_block.h"
 #include "visibility/edges/source_cones.h"
 #include "visibility/edges/source_contour.h"
 #include "visibility/edges/source_intervals.h"
@@ -39,16 +37,15 @@ ContourEngine::ContourEngine(const Scene& scene, ContourPath path)
       triangle_normals_(
           FilteredTriangleNormals(scene.vertices(), scene.triangles())) {
   const auto facets = FacetsOf(scene);
-  IdVector<FacetId, EmitterId> emitter_of(facets.size());
   for (const FacetId facet : facets.ids()) {
     if (!Emits(FacesOf(scene)[FaceOf(facets[facet])])) continue;
-    emitter_of[facet] = emitters_.push_back({facet, ShaftsTo({&facet, 1})});
+    emitters_.push_back({facet, ShaftsTo({&facet, 1})});
   }
-  group_of_.resize(emitters_.size(), -1);
+  group_of_.resize(facets.size(), -1);
   if (path == ContourPath::kBlockers) return;
   for (EmitterGroup& group : EmitterGroupsOf(scene, index_.pieces())) {
     for (const FacetId facet : group.facets)
-      group_of_[emitter_of[facet]] = static_cast<int>(groups_.size());
+      group_of_[facet] = static_cast<int>(groups_.size());
     ShaftSource shafts = ShaftsTo(group.facets);
     groups_.push_back({std::move(group), std::move(shafts)});
   }
@@ -102,16 +99,7 @@ class BasicContourBuilder<kKind>::Impl {
   }
 
   void StartBlock(std::span<const Receiver> receivers) {
-    in_block_ = receivers.size() > 1;
-    if (!in_block_) return;
-    cuts_.Clear();
-    shared_edges_.Clear();
-    block_box_ = {};
-    block_normal_ = receivers.front().normal;
-    for (const Receiver& receiver : receivers) {
-      block_box_.Include(receiver.position);
-      if (receiver.normal != receivers.front().normal) block_normal_.reset();
-    }
+    block_.Start(receivers, engine_.emitters().size());
   }
 
   void Build(const ContourQuery& query, Contour& contour) {
@@ -157,33 +145,53 @@ class BasicContourBuilder<kKind>::Impl {
     std::size_t end = 0;
   };
 
-  /// Finds the arcs of the face that is named.
+  /// The group whose chain is made for a facet; null if a facet has its own.
+  [[nodiscard]] const ContourEngine::Group* GroupOf(FacetId facet) const {
+    return kKind == PredicateKind::kExact ? engine_.GroupOf(facet) : nullptr;
+  }
+
+  /// Finds the arcs of the face that is named, in the order in which they are
+  /// found among all that emits, so that sums in double are the same: a facet
+  /// of a group from a chain without the group's other facets.
   void BuildOnly(const ContourQuery& query) {
     const FaceId face = IndexOf(query.only_source);
     for (const FacetId facet : FacetsOf(FacesOf(engine_.scene())[face])) {
-      const std::span<const FacetId> facets(&facet, 1);
-      if (!StartSource(facets)) continue;
-      FindArcs(engine_.ShaftsTo(facets), query, EmitterId());
+      const auto* const group = GroupOf(facet);
+      const std::span<const FacetId> alone(&facet, 1);
+      if (!StartSource(group != nullptr ? group->emitters.facets : alone) ||
+          (group != nullptr && !NarrowTo(facet))) {
+        continue;
+      }
+      FindArcs(engine_.ShaftsTo(alone), query, EmitterId(), group != nullptr);
       FinishSource(facet);
     }
+  }
+
+  /// Makes one of the facets that have been set the source.
+  bool NarrowTo(FacetId facet) {
+    const std::span<const FacetId> facets = source_.facets();
+    const auto i = static_cast<std::size_t>(std::ranges::find(facets, facet) -
+                                            facets.begin());
+    if (!source_.Narrow(i, i + 1)) return false;
+    blockers_.Start();
+    return true;
   }
 
   /// Finds the arcs of all that emits.
   void BuildAll(const ContourQuery& query) {
     // What a block shares leaves out what is below the horizon.
-    const bool shares = in_block_ && !query.whole_sphere;
+    const bool shares = block_.shares() && !query.whole_sphere;
     for (const EmitterId e : engine_.emitters().ids()) {
       StopIfAsked(query.stop);
       const ContourEngine::Emitter& emitter = engine_.emitters()[e];
       const EmitterId sharing = shares ? e : EmitterId();
-      if (const auto* const group = engine_.GroupOf(e);
-          group != nullptr && kKind == PredicateKind::kExact) {
+      if (const auto* const group = GroupOf(emitter.facet)) {
         const bool is_first = group->emitters.facets.front() == emitter.facet;
         if (is_first) BuildGroup(*group, query, sharing);
         continue;
       }
       if (!StartSource({&emitter.facet, 1})) continue;
-      FindArcs(emitter.shafts, query, sharing);
+      FindArcs(emitter.shafts, query, sharing, false);
       FinishSource(emitter.facet);
     }
   }
@@ -232,18 +240,20 @@ class BasicContourBuilder<kKind>::Impl {
 
   /// Finds the arcs of a source behind what lies towards it. emitter: the
   /// source, if a block of receivers shares what it finds; else none.
+  /// in_group: go by a chain, as for the whole group.
   void FindArcs(const ShaftSource& shafts, const ContourQuery& query,
-                EmitterId emitter) {
+                EmitterId emitter, bool in_group) {
     ++source_count_;
     const Shaft shaft = ShaftOf(shafts, query);
-    if (UsesChain(shaft)) {
+    if (in_group || UsesChain(shaft)) {
       MakeChain(shaft, shafts, emitter);
       chain_.AppendArcs(arcs_of_all_);
       return;
     }
     const auto add = [this](int piece) { AddPiece(PieceId(piece)); };
     if (emitter.valid()) {
-      CutOf(emitter).Visit(engine_.tree(), shaft, add);
+      block_.CutOf(emitter, engine_.tree(), shafts)
+          .Visit(engine_.tree(), shaft, add);
     } else {
       engine_.tree().Visit(shaft, add);
     }
@@ -256,15 +266,8 @@ class BasicContourBuilder<kKind>::Impl {
   /// matter, since it must not change what is summed in double.
   [[nodiscard]] bool UsesChain(const Shaft& shaft) const {
     if (kKind == PredicateKind::kUnfiltered) return false;
-    switch (engine_.path()) {
-      case ContourPath::kBlockers:
-        return false;
-      case ContourPath::kChain:
-      case ContourPath::kCheckedChain:
-        return true;
-      case ContourPath::kByCost:
-        break;
-    }
+    if (engine_.path() != ContourPath::kByCost)
+      return engine_.path() != ContourPath::kBlockers;
     return engine_.index().silhouettes().HasNear(shaft, kManyPairedEdges);
   }
 
@@ -275,13 +278,11 @@ class BasicContourBuilder<kKind>::Impl {
       chain_.MakeChain(shaft, shafts.box(), nullptr);
       return;
     }
-    shared_edges_.Cover(engine_.emitters().size());
-    if (!shared_edges_.Has(emitter)) shared_edges_.Renew(emitter).Start();
-    SharedEdges& shared = shared_edges_[emitter];
-    const auto make_shaft = [&] { return BlockShaft(shafts); };
+    SharedEdges& shared = block_.EdgesOf(emitter);
+    const auto make_shaft = [&] { return block_.ShaftTo(shafts); };
     chain_.MakeChain(
         shaft, shafts.box(),
-        shared.Get(engine_.index().silhouettes(), make_shaft, block_box_));
+        shared.Get(engine_.index().silhouettes(), make_shaft, block_.box()));
     shared.Measure(chain_.looked_at());
   }
 
@@ -318,21 +319,6 @@ class BasicContourBuilder<kKind>::Impl {
     arcs_of_all_.resize(kept);
   }
 
-  /// Holds the shafts of all receivers of the block.
-  [[nodiscard]] Shaft BlockShaft(const ShaftSource& shafts) const {
-    return {shafts, block_box_, block_normal_};
-  }
-
-  /// What the block's receivers share on the way to a source.
-  BlockCut& CutOf(EmitterId emitter) {
-    cuts_.Cover(engine_.emitters().size());
-    if (!cuts_.Has(emitter)) {
-      cuts_.Renew(emitter).Start(
-          engine_.tree(), BlockShaft(engine_.emitters()[emitter].shafts));
-    }
-    return cuts_[emitter];
-  }
-
   const ContourEngine& engine_;
   BasicViewGeometry<kKind> geometry_;
   ConeMaker<BasicViewGeometry<kKind>> cones_;
@@ -352,11 +338,7 @@ class BasicContourBuilder<kKind>::Impl {
   std::uint64_t source_count_ = 0;
   std::uint64_t blocker_count_ = 0;
 
-  bool in_block_ = false;
-  Box block_box_;
-  std::optional<Vector3> block_normal_;     ///< if all receivers share it
-  StampedTable<BlockCut, EmitterId> cuts_;  ///< of the block
-  StampedTable<SharedEdges, EmitterId> shared_edges_;  ///< likewise
+  ReceiverBlock block_;
 };
 
 template <PredicateKind kKind>

@@ -22,9 +22,6 @@
 
 namespace truelux {
 
-/// Index into ContourEngine::emitters().
-using EmitterId = Id<struct EmitterTag>;
-
 /// How the engine finds what is visible. Both ways give contours of the same
 /// regions. Unfiltered predicates always go by blockers: along a chain one
 /// wrong sign would spoil all depths that follow.
@@ -75,9 +72,9 @@ class ContourEngine {
     return emitters_;
   }
 
-  /// The group that an emitter belongs to; null if to none.
-  [[nodiscard]] const Group* GroupOf(EmitterId emitter) const {
-    const int group = group_of_[emitter];
+  /// The group that a facet belongs to; null if to none.
+  [[nodiscard]] const Group* GroupOf(FacetId facet) const {
+    const int group = group_of_[facet];
     return group >= 0 ? &groups_[static_cast<std::size_t>(group)] : nullptr;
   }
 
@@ -96,7 +93,7 @@ class ContourEngine {
   IdVector<TriangleId, FilteredPlane> triangle_normals_;
   IdVector<EmitterId, Emitter> emitters_;
   std::vector<Group> groups_;
-  IdVector<EmitterId, int> group_of_;  ///< in groups_; -1: none
+  IdVector<FacetId, int> group_of_;  ///< in groups_; -1: none
 };
 
 /// Finds visible contours in one scene, one receiver after the other; every

@@ -12,6 +12,9 @@
 
 namespace truelux {
 
+/// Index of an emitting facet among a scene's, in their order.
+using EmitterId = Id<struct EmitterTag>;
+
 /// Facets of one plane that have their chain and their images in common: they
 /// lie in exactly one plane, look to the same side, are connected by edges that
 /// two of them share, and overlap no facet that emits, neither each other nor

@@ -104,6 +104,37 @@ TEST_P(SharedEdgesByMethod, GroupingChangesNoBit) {
   EXPECT_GT(shaded, 4 * count);
 }
 
+// On a lattice edges end on edges, in view; behind the receiver, too, and below
+// the horizon, where only some of a block's receivers ask for them.
+TEST_P(SharedEdgesByMethod, GroupingChangesNoBitOnALattice) {
+  int lit = 0;
+  const int count = SweepSize(300, 6000);
+  for (int i = 0; i < count; ++i) {
+    PortableRandom random(static_cast<std::uint64_t>(i));
+    std::vector<TestFace> faces =
+        RandomScene(random, true, random.Integer(4, 40), 3);
+    for (TestFace& face : faces)
+      face.emission = kBlack;
+    // In tiles, so that the chain is used however few edges there are.
+    for (const double x : {-6.0, -2.0, 2.0})
+      faces.push_back({Ceiling(x, x + 4, -3, 3, 4), kLamp});
+    const Oracle oracle(MakeScene(faces), {.method = GetParam()});
+    std::vector<Receiver> receivers;
+    for (int k = 0; k < 6; ++k) {
+      receivers.push_back(RandomReceiver(random, true, 3));
+      receivers.back().normal = {0, 0, 1};
+    }
+    const auto together = oracle.Evaluate(receivers);
+    for (std::size_t k = 0; k < receivers.size(); ++k) {
+      const Irradiance alone = oracle.Evaluate(receivers[k]);
+      ExpectSame(together[k], alone);
+      if (alone.value[0] > 0) ++lit;
+    }
+    ASSERT_FALSE(HasFailure()) << i;
+  }
+  EXPECT_GT(lit, count);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, SharedEdgesByMethod,
                          ::testing::Values(Method::kCertified, Method::kDouble),
                          [](const auto& test) {

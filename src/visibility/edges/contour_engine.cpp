@@ -8,11 +8,11 @@
 #include "scene/emitters.h"
 #include "scene/scene_access.h"
 #include "visibility/chain/chain_contour.h"
+#include "visibility/edges/block_share.h"
 #include "visibility/edges/blocker_parts.h"
 #include "visibility/edges/cone.h"
 #include "visibility/edges/contour_writer.h"
 #include "visibility/edges/direction_sides.h"
-#include "visibility/edges/receiver_block.h"
 #include "visibility/edges/source_cones.h"
 #include "visibility/edges/source_contour.h"
 #include "visibility/edges/source_intervals.h"
@@ -338,7 +338,7 @@ class BasicContourBuilder<kKind>::Impl {
   std::uint64_t source_count_ = 0;
   std::uint64_t blocker_count_ = 0;
 
-  ReceiverBlock block_;
+  BlockShare block_;
 };
 
 template <PredicateKind kKind>

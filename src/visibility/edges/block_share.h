@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef TRUELUX_VISIBILITY_EDGES_RECEIVER_BLOCK_H_
-#define TRUELUX_VISIBILITY_EDGES_RECEIVER_BLOCK_H_
+#ifndef TRUELUX_VISIBILITY_EDGES_BLOCK_SHARE_H_
+#define TRUELUX_VISIBILITY_EDGES_BLOCK_SHARE_H_
 
 #include <cstddef>
 #include <optional>
@@ -20,7 +20,7 @@ namespace truelux {
 
 /// What a block of receivers shares on the way to each source. Keeps its memory
 /// when it is used again.
-class ReceiverBlock {
+class BlockShare {
  public:
   /// Starts with another block. Of less than two receivers nothing is shared.
   void Start(std::span<const Receiver> receivers, std::size_t emitter_count) {
@@ -72,4 +72,4 @@ class ReceiverBlock {
 
 }  // namespace truelux
 
-#endif  // TRUELUX_VISIBILITY_EDGES_RECEIVER_BLOCK_H_
+#endif  // TRUELUX_VISIBILITY_EDGES_BLOCK_SHARE_H_

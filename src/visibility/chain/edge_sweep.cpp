@@ -55,11 +55,11 @@ template <class Geometry>
 void EdgeSweep<Geometry>::TryJump(ChainEdgeId other) {
   const ViewEdge& e = edge_;
   const ChainEdge& f = chain_.edges()[other];
-  if (f.edge.from == e.from || f.edge.from == e.to) {
+  if (IsOwnEnd(f.edge.from)) {
     TryNeighbour(other, f.edge.from, f.edge.to);
     return;
   }
-  if (f.edge.to == e.from || f.edge.to == e.to) {
+  if (IsOwnEnd(f.edge.to)) {
     TryNeighbour(other, f.edge.to, f.edge.from);
     return;
   }

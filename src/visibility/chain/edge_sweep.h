@@ -73,8 +73,8 @@ class EdgeSweep {
   /// is the lesser one of those before and after. depth: at the begin. Returns
   /// the depth before the end.
   template <class Visit, class Crossed>
-  int ForEachStretch(int depth, const Visit& visit,
-                     const Crossed& crossed) const;
+  [[nodiscard]] int ForEachStretch(int depth, const Visit& visit,
+                                   const Crossed& crossed) const;
 
   /// Whether position a comes before position b.
   [[nodiscard]] bool IsBefore(const EdgePosition& a,
@@ -86,6 +86,11 @@ class EdgeSweep {
   [[nodiscard]] bool IsSource() const { return !self_.valid(); }
 
   void TryJump(ChainEdgeId other);
+
+  [[nodiscard]] bool IsOwnEnd(ViewDirectionId direction) const {
+    return direction == edge_.from || direction == edge_.to;
+  }
+
   void TryNeighbour(ChainEdgeId other, ViewDirectionId shared,
                     ViewDirectionId far);
   void AddOverlap(ChainEdgeId other);

@@ -56,8 +56,8 @@ class PartGrid {
     const auto ask = [&](std::uint32_t i) { return visit(std::size_t{i}); };
     // It also has the corner.
     const std::size_t cell = y_.Bin(box.y_min()) * side_ + x_.Bin(box.x_min());
-    return std::all_of(wide_.begin(), wide_.end(), ask) &&
-           std::all_of(Begin(cell), End(cell), ask);
+    return std::ranges::all_of(wide_, ask) &&
+           std::ranges::all_of(EntriesOf(cell), ask);
   }
 
  private:
@@ -114,12 +114,11 @@ class PartGrid {
     }
   }
 
-  [[nodiscard]] auto Begin(std::size_t cell) const {
-    return entries_.begin() + (cell == 0 ? 0 : ends_[cell - 1]);
-  }
-
-  [[nodiscard]] auto End(std::size_t cell) const {
-    return entries_.begin() + ends_[cell];
+  /// The boxes of a cell.
+  [[nodiscard]] std::span<const std::uint32_t> EntriesOf(
+      std::size_t cell) const {
+    const std::size_t begin = cell == 0 ? 0 : ends_[cell - 1];
+    return std::span(entries_).subspan(begin, ends_[cell] - begin);
   }
 
   std::size_t side_ = 1;  ///< cells along an axis

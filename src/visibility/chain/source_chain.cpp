@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <utility>
 
 #include "scene/index/plane_region.h"
@@ -95,6 +94,36 @@ void SourceChain<Geometry>::Append(const ChainEdge& edge, const ImageBox& box) {
   boxes_.push_back(box);
 }
 
+/// Sums up the coefficient of an edge, the first of equal ones, turned so that
+/// it begins at `from`; and chooses its owner and plane. in_plane: it lies in
+/// the source's plane. False if the coefficient is zero.
+template <class Geometry>
+bool SourceChain<Geometry>::Weigh(EdgeId edge, VertexId from, bool in_plane,
+                                  ChainEdge& c) {
+  // The first edges that run so, as their pieces do seen counter-clockwise, and
+  // against it.
+  EdgeId along;
+  EdgeId against;
+  c.coefficient = 0;
+  EdgeId e = edge;
+  do {
+    const PieceId piece = pieces_.PieceOf(e);
+    if (Blocks(piece) && (!in_plane || BlocksAtPlane(piece))) {
+      const bool forward = cones_.ReceiverSide(piece) == Sign::kPositive;
+      const bool is_along = forward == (pieces_.corners()[e] == from);
+      c.coefficient += is_along ? 1 : -1;
+      EdgeId& first = is_along ? along : against;
+      if (!first.valid() || e < first) first = e;
+    }
+    e = pieces_.NextSameEdge(e);
+  } while (e != edge);
+  if (c.coefficient == 0) return false;
+  const EdgeId own = c.coefficient > 0 ? along : against;
+  c.owner = pieces_.PieceOf(own);
+  c.edge.plane = cones_.EdgePlane(own);
+  return true;
+}
+
 /// Adds what of an edge, the first of equal ones, lies in front of the
 /// source's plane, if its coefficient is not zero. False if there is nothing.
 template <class Geometry>
@@ -113,36 +142,18 @@ bool SourceChain<Geometry>::AddEdge(EdgeId edge) {
   if (from_side != Sign::kPositive && to_side != Sign::kPositive && !in_plane) {
     return false;
   }
-  // The first edges that run along ends[0], ends[1] as their pieces do seen
-  // counter-clockwise, and against it.
-  EdgeId along;
-  EdgeId against;
-  int coefficient = 0;
-  EdgeId e = edge;
-  do {
-    const PieceId piece = pieces_.PieceOf(e);
-    if (Blocks(piece) && (!in_plane || BlocksAtPlane(piece))) {
-      const bool forward = cones_.ReceiverSide(piece) == Sign::kPositive;
-      const bool is_along = forward == (pieces_.corners()[e] == ends[0]);
-      coefficient += is_along ? 1 : -1;
-      EdgeId& first = is_along ? along : against;
-      if (!first.valid() || e < first) first = e;
-    }
-    e = pieces_.NextSameEdge(e);
-  } while (e != edge);
-  if (coefficient == 0) return false;
-  const EdgeId own = coefficient > 0 ? along : against;
   ChainEdge c;
-  c.coefficient = std::abs(coefficient);
-  c.owner = pieces_.PieceOf(own);
+  if (!Weigh(edge, ends[0], in_plane, c)) return false;
   const auto end = [&](std::size_t k, Sign side) {
     return side == Sign::kNegative ? CutDirection(edge)
                                    : geometry_.VertexDirection(ends[k]);
   };
   c.edge.from = end(0, from_side);
   c.edge.to = end(1, to_side);
-  if (coefficient < 0) std::swap(c.edge.from, c.edge.to);
-  c.edge.plane = cones_.EdgePlane(own);
+  if (c.coefficient < 0) {
+    std::swap(c.edge.from, c.edge.to);
+    c.coefficient = -c.coefficient;
+  }
   if (from_side == Sign::kNegative || to_side == Sign::kNegative) {
     ++counts_.clipped;
     box = source_.plane().BoxOfEdge(c.edge.from, c.edge.to);

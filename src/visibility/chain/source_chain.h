@@ -89,6 +89,7 @@ class SourceChain {
 
   [[nodiscard]] bool Blocks(PieceId piece);
   bool IsInner(const SilhouetteEdge& edge);
+  bool Weigh(EdgeId edge, VertexId from, bool in_plane, ChainEdge& c);
   bool AddEdge(EdgeId edge);
   bool BlocksAtPlane(PieceId piece);
   void AddAtSourcePlane(const Box& source_box);

@@ -137,7 +137,7 @@ enum class Verdict {
 
 /// "nothing fails", "mistake", "receivers off their faces", "noise",
 /// "unexplained".
-TRUELUX_EXPORT [[nodiscard]] std::string_view Name(Verdict verdict);
+[[nodiscard]] TRUELUX_EXPORT std::string_view Name(Verdict verdict);
 
 /// The relative errors of the lit receivers, each the mean over its channels
 /// with E > 0, as a random sample.

@@ -63,7 +63,7 @@ struct Picture {
 };
 
 /// The picture of the irradiance.
-TRUELUX_EXPORT [[nodiscard]] Picture PictureOf(const IrradianceImage& image,
+[[nodiscard]] TRUELUX_EXPORT Picture PictureOf(const IrradianceImage& image,
                                                const PictureStyle& style);
 
 /// A further picture beside the irradiance.
@@ -80,11 +80,11 @@ inline constexpr std::array kExtraPictures = {
     ExtraPicture::kGradient};
 
 /// The word on the command line and in the file's name.
-TRUELUX_EXPORT [[nodiscard]] const char* Name(ExtraPicture extra);
+[[nodiscard]] TRUELUX_EXPORT const char* Name(ExtraPicture extra);
 
 /// The bytes of its PNG file. pixels: rendered with that wish. channel: the one
 /// of kError and kGradient; nothing: the largest of each pixel.
-TRUELUX_EXPORT [[nodiscard]] std::string ExtraPictureOf(
+[[nodiscard]] TRUELUX_EXPORT std::string ExtraPictureOf(
     ExtraPicture extra, const RenderedPixels& pixels,
     std::optional<ScalarChannel> channel);
 

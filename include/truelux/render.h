@@ -84,7 +84,7 @@ struct Rendering {
 /// if the camera cannot see, if there are more than kMaxPixels, if on_face names
 /// nothing, if differences are wished for of Engine::kAngularSpans, or if the
 /// number of threads is outside its range; and Stopped.
-TRUELUX_EXPORT [[nodiscard]] Rendering Render(const Oracle& oracle,
+[[nodiscard]] TRUELUX_EXPORT Rendering Render(const Oracle& oracle,
                                               const PictureSubject& subject,
                                               const PictureSize& size,
                                               const RenderOptions& options);

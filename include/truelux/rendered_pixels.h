@@ -32,7 +32,7 @@ enum class ShadowClass : std::uint8_t {
 inline constexpr int kShadowClassCount = 6;
 
 /// The name in legends.
-TRUELUX_EXPORT [[nodiscard]] const char* Name(ShadowClass shadow);
+[[nodiscard]] TRUELUX_EXPORT const char* Name(ShadowClass shadow);
 
 /// Jumps of the tangential gradient, pixel by pixel.
 struct KinkJumps {

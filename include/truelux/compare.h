@@ -62,14 +62,14 @@ struct CompareOptions {
 /// Throws std::invalid_argument if there is no receiver, if there are not as
 /// many values, or if an option is outside its range; ReceiverError for a
 /// receiver that cannot be used; and Stopped.
-[[nodiscard]] TRUELUX_EXPORT CandidateComparison Compare(
-    const Scene& scene, const Candidate& candidate,
-    const CompareOptions& options);
+[[nodiscard]] TRUELUX_EXPORT CandidateComparison
+Compare(const Scene& scene, const Candidate& candidate,
+        const CompareOptions& options);
 
 /// The same of gradients. Throws as Compare does.
-[[nodiscard]] TRUELUX_EXPORT GradientComparison CompareGradients(
-    const Scene& scene, const GradientCandidate& candidate,
-    const CompareOptions& options);
+[[nodiscard]] TRUELUX_EXPORT GradientComparison
+CompareGradients(const Scene& scene, const GradientCandidate& candidate,
+                 const CompareOptions& options);
 
 }  // namespace truelux
 

@@ -88,7 +88,7 @@ class EdgeSweep {
   void TryJump(ChainEdgeId other);
 
   [[nodiscard]] bool IsOwnEnd(ViewDirectionId direction) const {
-    return direction == edge_.from || direction == edge_.to;
+    return direction == edge_.from || edge_.to == direction;
   }
 
   void TryNeighbour(ChainEdgeId other, ViewDirectionId shared,

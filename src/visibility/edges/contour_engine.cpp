@@ -69,7 +69,9 @@ Contour ContourEngine::Build(const ContourQuery& query) const {
   return contour;
 }
 
+// One object a thread: its size does not matter.
 template <PredicateKind kKind>
+// NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding)
 class BasicContourBuilder<kKind>::Impl {
  public:
   explicit Impl(const ContourEngine& engine)

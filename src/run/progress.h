@@ -29,7 +29,7 @@ std::string ProgressText(std::uint64_t done, std::optional<std::uint64_t> total,
 
 /// Counts receivers, or other things, until it is destroyed. The line appears if
 /// standard error is a terminal and the run takes longer than two seconds.
-/// (The padding keeps cache lines apart.)
+/// Padding keeps its cache lines apart.
 class Progress {  // NOLINT(clang-analyzer-optin.performance.Padding)
  public:
   /// total: number of receivers, if known; a hook is told 0 if it is not.

@@ -85,12 +85,12 @@ class EdgeSweep {
  private:
   [[nodiscard]] bool IsSource() const { return !self_.valid(); }
 
-  void TryJump(ChainEdgeId other);
-
+  /// Whether the swept edge begins or ends in a direction.
   [[nodiscard]] bool IsOwnEnd(ViewDirectionId direction) const {
     return direction == edge_.from || edge_.to == direction;
   }
 
+  void TryJump(ChainEdgeId other);
   void TryNeighbour(ChainEdgeId other, ViewDirectionId shared,
                     ViewDirectionId far);
   void AddOverlap(ChainEdgeId other);

@@ -174,7 +174,13 @@ class BasicContourBuilder<kKind>::Impl {
     const std::span<const FacetId> facets = source_.facets();
     const auto i = static_cast<std::size_t>(std::ranges::find(facets, facet) -
                                             facets.begin());
-    if (!source_.Narrow(i, i + 1)) return false;
+    return Narrow(i, i + 1);
+  }
+
+  /// Makes some of the facets that have been set the source. False if nothing
+  /// of them can be seen.
+  bool Narrow(std::size_t first, std::size_t end) {
+    if (!source_.Narrow(first, end)) return false;
     blockers_.Start();
     return true;
   }
@@ -208,8 +214,7 @@ class BasicContourBuilder<kKind>::Impl {
     const std::span<const FacetId> facets = source_.facets();
     const auto add = [&](std::size_t first, std::size_t end) {
       StopIfAsked(query.stop);
-      if (!source_.Narrow(first, end)) return;
-      blockers_.Start();
+      if (!Narrow(first, end)) return;
       chain_.AppendArcs(arcs_of_all_);
       ++source_count_;
       FinishSource(facets[first]);

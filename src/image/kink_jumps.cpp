@@ -15,12 +15,12 @@
 #include "truelux/derivatives.h"
 
 #include "exact/rational.h"
-#include "image/edge_planes.h"
-#include "image/plane_sight.h"
 #include "image/surface_trace.h"
 #include "run/parallel.h"
 #include "run/progress.h"
 #include "scene/emitters.h"
+#include "surface/edge_planes.h"
+#include "surface/plane_sight.h"
 
 namespace truelux {
 namespace {

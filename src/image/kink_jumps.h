@@ -8,8 +8,8 @@
 #include "truelux/rendered_pixels.h"
 
 #include "image/pixel_receivers.h"
-#include "image/surface_frame.h"
 #include "run/watch.h"
+#include "surface/surface_frame.h"
 
 namespace truelux {
 

@@ -15,7 +15,7 @@
 
 #include "image/camera_frame.h"
 #include "image/pixel_receivers.h"
-#include "image/surface_frame.h"
+#include "surface/surface_frame.h"
 
 namespace truelux {
 

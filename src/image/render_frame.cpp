@@ -5,8 +5,8 @@
 
 #include "image/kink_jumps.h"
 #include "image/render_pixels.h"
-#include "image/surface_frame.h"
 #include "run/progress.h"
+#include "surface/surface_frame.h"
 
 namespace truelux {
 

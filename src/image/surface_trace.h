@@ -15,7 +15,7 @@
 
 #include "exact/rational.h"
 #include "exact/vec3.h"
-#include "image/surface_frame.h"
+#include "surface/surface_frame.h"
 
 namespace truelux {
 

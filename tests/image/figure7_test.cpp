@@ -25,10 +25,10 @@
 #include "explain/shadow_class.h"
 #include "image/camera_frame.h"
 #include "image/camera_pixels.h"
-#include "image/surface_frame.h"
 #include "image/surface_pixels.h"
 #include "scene/group_selection.h"
 #include "support/sweep.h"
+#include "surface/surface_frame.h"
 
 namespace truelux {
 namespace {

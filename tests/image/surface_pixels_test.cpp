@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "image/surface_frame.h"
 #include "support/scene_text.h"
+#include "surface/surface_frame.h"
 
 namespace truelux {
 namespace {

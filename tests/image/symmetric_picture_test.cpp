@@ -19,9 +19,9 @@
 
 #include "explain/shadow_class.h"
 #include "image/camera_pixels.h"
-#include "image/surface_frame.h"
 #include "image/surface_pixels.h"
 #include "support/scenes.h"
+#include "surface/surface_frame.h"
 
 namespace truelux {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which planes edges of a scene have in common.
 
-#include "image/edge_planes.h"
+#include "surface/edge_planes.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "image/plane_sight.h"
+#include "surface/plane_sight.h"
 
 #include <algorithm>
 #include <cmath>

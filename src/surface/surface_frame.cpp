@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "image/surface_frame.h"
+#include "surface/surface_frame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What points on a surface see in one plane through them: lines, and light.
 
-#ifndef TRUELUX_IMAGE_PLANE_SIGHT_H_
-#define TRUELUX_IMAGE_PLANE_SIGHT_H_
+#ifndef TRUELUX_SURFACE_PLANE_SIGHT_H_
+#define TRUELUX_SURFACE_PLANE_SIGHT_H_
 
 #include <array>
 #include <span>
@@ -85,4 +85,4 @@ class PlaneSight {
 
 }  // namespace truelux
 
-#endif  // TRUELUX_IMAGE_PLANE_SIGHT_H_
+#endif  // TRUELUX_SURFACE_PLANE_SIGHT_H_

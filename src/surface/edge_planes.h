@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The planes that two edges of a scene have in common.
 
-#ifndef TRUELUX_IMAGE_EDGE_PLANES_H_
-#define TRUELUX_IMAGE_EDGE_PLANES_H_
+#ifndef TRUELUX_SURFACE_EDGE_PLANES_H_
+#define TRUELUX_SURFACE_EDGE_PLANES_H_
 
 #include <array>
 #include <cstddef>
@@ -60,4 +60,4 @@ inline constexpr std::size_t kMostEdgeLines = 1024;
 
 }  // namespace truelux
 
-#endif  // TRUELUX_IMAGE_EDGE_PLANES_H_
+#endif  // TRUELUX_SURFACE_EDGE_PLANES_H_

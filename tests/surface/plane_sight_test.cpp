@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which points of a trace see two lines overlap before a light.
 
-#include "image/plane_sight.h"
+#include "surface/plane_sight.h"
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The axes and the extent of a flat surface.
 
-#ifndef TRUELUX_IMAGE_SURFACE_FRAME_H_
-#define TRUELUX_IMAGE_SURFACE_FRAME_H_
+#ifndef TRUELUX_SURFACE_SURFACE_FRAME_H_
+#define TRUELUX_SURFACE_SURFACE_FRAME_H_
 
 #include <optional>
 #include <span>
@@ -54,4 +54,4 @@ std::optional<SurfaceFrame> SurfaceFrameOf(const Scene& scene,
 
 }  // namespace truelux
 
-#endif  // TRUELUX_IMAGE_SURFACE_FRAME_H_
+#endif  // TRUELUX_SURFACE_SURFACE_FRAME_H_

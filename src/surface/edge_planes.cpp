@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "image/edge_planes.h"
+#include "surface/edge_planes.h"
 
 #include <algorithm>
 #include <cmath>

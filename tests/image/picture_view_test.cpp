@@ -53,7 +53,7 @@ TEST(PictureView, FacesThatLookToDifferentSidesAreNoted) {
   EXPECT_EQ(TextOf(FrameOf(scene, "twosided").notes),
             "note: the faces of 'twosided' do not all look to one side (face 2 "
             "(line 12, twosided) and face 3 (line 13, twosided) differ): each "
-            "pixel has the side of its own face\n");
+            "point has the side of its own face\n");
 }
 
 TEST(PictureView, ACameraSeesTheFirstFace) {

@@ -34,6 +34,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"run", {"base", "text"}},
     {"explain", {"base", "scene", "visibility", "text"}},
     {"surface", {"base", "exact", "scene", "visibility", "explain"}},
+    {"isolux", {"base", "exact", "scene", "run", "surface"}},
     {"draw", {"base"}},
     {"baselines", {"base", "exact", "scene", "visibility", "radiometry"}},
     {"inspect", {"base", "scene", "visibility", "text", "explain", "draw"}},

@@ -88,8 +88,8 @@ void FindExtent(const Scene& scene, SurfaceFrame& frame) {
 
 }  // namespace
 
-SurfaceFrame::Coordinates SurfaceFrame::Of(const Point3& p) const {
-  const RationalVector w = RationalOf(p) - origin;
+SurfaceFrame::Coordinates SurfaceFrame::Of(const RationalVector& p) const {
+  const RationalVector w = p - origin;
   const auto [i, k] = AxesFor(u, v);
   const auto determinant = [i = i, k = k](const RationalVector& s,
                                           const RationalVector& t) {

@@ -37,7 +37,10 @@ struct SurfaceFrame {
     mpq_class b;
   };
 
-  [[nodiscard]] Coordinates Of(const Point3& p) const;
+  [[nodiscard]] Coordinates Of(const RationalVector& p) const;
+  [[nodiscard]] Coordinates Of(const Point3& p) const {
+    return Of(RationalOf(p));
+  }
 
   /// How many times as high as wide the extent is, |v| (b_most - b_least) by
   /// |u| (a_most - a_least), in double.

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "isolux/first_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/mpq_class.h>
+
+namespace truelux {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Vertices = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
+using Faces = CGAL::Triangulation_face_base_with_info_2<
+    int, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Structure = CGAL::Triangulation_data_structure_2<Vertices, Faces>;
+using Plane = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, Structure, CGAL::Exact_intersections_tag>;
+using Point = Kernel::Point_2;
+
+Kernel::FT ExactOf(const mpq_class& q) {
+  return Kernel::FT(Kernel::FT::ET(q.get_mpq_t()));
+}
+
+/// A constraint, and what it is of.
+struct Segment {
+  Point from;
+  Point to;
+  SideKind kind = SideKind::kOutline;
+  int line = -1;
+
+  [[nodiscard]] bool Holds(const Point& p) const {
+    return CGAL::collinear(from, p, to) &&
+           CGAL::collinear_are_ordered_along_line(from, p, to);
+  }
+};
+
+class MeshMaker {
+ public:
+  MeshMaker(const Scene& scene, const PlanFrame& plan)
+      : scene_(scene), plan_(plan) {}
+
+  void AddFaces(std::span<const int> faces) {
+    std::map<std::array<int, 2>, int> sides;
+    for (const int face : faces) {
+      const Face& f = scene_.faces()[static_cast<std::size_t>(face)];
+      for (const Facet& facet :
+           scene_.facets().subspan(static_cast<std::size_t>(f.first_facet),
+                                   static_cast<std::size_t>(f.facet_count))) {
+        if (facet.is_back) continue;
+        for (const Triangle& triangle : scene_.triangles().subspan(
+                 static_cast<std::size_t>(facet.first_triangle),
+                 static_cast<std::size_t>(facet.triangle_count))) {
+          AddTriangle(triangle, sides);
+        }
+      }
+    }
+    for (const auto& [ends, count] : sides) {
+      if (count == 1) {
+        segments_.push_back({PointOf(ends[0]), PointOf(ends[1]),
+                             SideKind::kOutline, -1});
+      }
+    }
+  }
+
+  void AddLines(std::span<const ExactSurfaceLine> lines) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      segments_.push_back(
+          {PointOf(lines[i].from), PointOf(lines[i].to),
+           lines[i].is_jump ? SideKind::kJump : SideKind::kKink,
+           static_cast<int>(i)});
+    }
+  }
+
+  FirstMesh Make() {
+    for (const Segment& segment : segments_)
+      plane_.insert_constraint(segment.from, segment.to);
+    NameFaces();
+    FindSides();
+    MakePoints();
+    FirstMesh result;
+    SetScale(result.scale);
+    MovePoints(result.scale.margin);
+    result.left_out = DropFlat();
+    result.mesh = PlanMesh(std::move(points_), std::move(triangles_));
+    return result;
+  }
+
+ private:
+  Point PointOf(const RationalVector& p) {
+    const ExactPlanPoint place = plan_.ExactPlaceOf(p);
+    return {ExactOf(place.s), ExactOf(place.t)};
+  }
+
+  Point PointOf(int vertex) {
+    return PointOf(truelux::RationalOf(
+        scene_.vertices()[static_cast<std::size_t>(vertex)]));
+  }
+
+  void AddTriangle(const Triangle& triangle,
+                   std::map<std::array<int, 2>, int>& sides) {
+    std::array<Point, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = PointOf(triangle.vertices[k]);
+      const int a = triangle.vertices[k];
+      const int b = triangle.vertices[(k + 1) % 3];
+      ++sides[{std::min(a, b), std::max(a, b)}];
+    }
+    if (CGAL::orientation(corners[0], corners[1], corners[2]) ==
+        CGAL::RIGHT_TURN) {
+      std::swap(corners[1], corners[2]);
+    }
+    covers_.push_back(corners);
+  }
+
+  /// Whether a face of the triangulation is on the surface. No outline goes
+  /// through it.
+  [[nodiscard]] bool IsCovered(Plane::Face_handle face) const {
+    const Point middle =
+        CGAL::centroid(face->vertex(0)->point(), face->vertex(1)->point(),
+                       face->vertex(2)->point());
+    return std::ranges::any_of(covers_, [&](const auto& corners) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (CGAL::orientation(corners[k], corners[(k + 1) % 3], middle) ==
+            CGAL::RIGHT_TURN) {
+          return false;
+        }
+      }
+      return true;
+    });
+  }
+
+  void NameFaces() {
+    for (const Plane::Face_handle face : plane_.finite_face_handles()) {
+      face->info() = -1;
+      if (!IsCovered(face)) continue;
+      face->info() = static_cast<int>(handles_.size());
+      handles_.push_back(face);
+    }
+    for (Plane::All_faces_iterator face = plane_.all_faces_begin();
+         face != plane_.all_faces_end(); ++face) {
+      if (plane_.is_infinite(face)) face->info() = -1;
+    }
+  }
+
+  void FindSides() {
+    triangles_.resize(handles_.size());
+    for (std::size_t i = 0; i < handles_.size(); ++i) {
+      const Plane::Face_handle face = handles_[i];
+      PlanTriangle& triangle = triangles_[i];
+      for (int k = 0; k < 3; ++k) {
+        const auto side = static_cast<std::size_t>(k);
+        triangle.neighbors[side] = face->neighbor(k)->info();
+        if (face->is_constrained(k)) SetKind(face, k, triangle);
+        if (triangle.neighbors[side] < 0 &&
+            triangle.kinds[side] != SideKind::kJump) {
+          triangle.kinds[side] = SideKind::kOutline;
+        }
+        if (triangle.kinds[side] == SideKind::kJump)
+          triangle.neighbors[side] = -1;
+      }
+    }
+  }
+
+  void SetKind(Plane::Face_handle face, int k, PlanTriangle& triangle) const {
+    const auto side = static_cast<std::size_t>(k);
+    const Point middle = CGAL::midpoint(face->vertex(Plane::ccw(k))->point(),
+                                        face->vertex(Plane::cw(k))->point());
+    for (const Segment& segment : segments_) {
+      // Between the surface's faces there is nothing to see.
+      if (segment.kind == SideKind::kOutline) continue;
+      if (!segment.Holds(middle)) continue;
+      triangle.kinds[side] = segment.kind;
+      triangle.lines[side] = segment.line;
+      if (segment.kind == SideKind::kJump) return;
+    }
+  }
+
+  /// A point for each corner of each group of triangles that hang together
+  /// around it.
+  void MakePoints() {
+    for (auto& triangle : triangles_) triangle.corners = {-1, -1, -1};
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (triangles_[i].corners[k] >= 0) continue;
+        const Point& at = handles_[i]->vertex(static_cast<int>(k))->point();
+        const auto name = static_cast<int>(points_.size());
+        points_.push_back({CGAL::to_double(at.x()), CGAL::to_double(at.y())});
+        NameCorner(static_cast<int>(i), k, name);
+      }
+    }
+  }
+
+  void NameCorner(int triangle, std::size_t corner, int name) {
+    const Plane::Vertex_handle vertex =
+        handles_[static_cast<std::size_t>(triangle)]->vertex(
+            static_cast<int>(corner));
+    std::vector<int> open = {triangle};
+    while (!open.empty()) {
+      const auto next = static_cast<std::size_t>(open.back());
+      open.pop_back();
+      const auto k =
+          static_cast<std::size_t>(handles_[next]->index(vertex));
+      PlanTriangle& t = triangles_[next];
+      if (t.corners[k] >= 0) continue;
+      t.corners[k] = name;
+      for (const std::size_t side : {(k + 1) % 3, (k + 2) % 3}) {
+        if (t.neighbors[side] >= 0) open.push_back(t.neighbors[side]);
+      }
+    }
+  }
+
+  void SetScale(PlanScale& scale) const {
+    PlanPoint least{HUGE_VAL, HUGE_VAL};
+    PlanPoint most{-HUGE_VAL, -HUGE_VAL};
+    for (const PlanPoint& p : points_) {
+      least = {std::min(least.s, p.s), std::min(least.t, p.t)};
+      most = {std::max(most.s, p.s), std::max(most.t, p.t)};
+    }
+    if (points_.empty()) return;
+    scale.size = std::max(most.s - least.s, most.t - least.t);
+    scale.margin = PlanScale::kMargin * scale.size;
+  }
+
+  /// The inward directions of the cut sides at each point.
+  void MovePoints(double margin) {
+    std::vector<std::vector<PlanPoint>> inward(points_.size());
+    for (const PlanTriangle& triangle : triangles_) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (triangle.neighbors[k] >= 0) continue;
+        const auto p = static_cast<std::size_t>(triangle.corners[(k + 1) % 3]);
+        const auto q = static_cast<std::size_t>(triangle.corners[(k + 2) % 3]);
+        const PlanPoint way = points_[q] - points_[p];
+        const double length = LengthOf(way);
+        const PlanPoint left = {-way.t / length, way.s / length};
+        inward[p].push_back(left);
+        inward[q].push_back(left);
+      }
+    }
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (inward[i].empty()) continue;
+      PlanPoint sum;
+      for (const PlanPoint& left : inward[i]) sum = sum + left;
+      // At two sides the point that is as far from both; at the end of a jump,
+      // where they are opposite, straight on.
+      if (inward[i].size() == 2) {
+        const double square = Dot(sum, sum);
+        if (square < 0x1p-30) {
+          sum = TipDirection(static_cast<int>(i));
+        } else {
+          sum = std::min(2 / square, 4.0) * sum;
+        }
+      }
+      points_[i] = points_[i] + margin * sum;
+    }
+  }
+
+  /// Away from the end of a jump, into the triangle that is opposite.
+  [[nodiscard]] PlanPoint TipDirection(int point) const {
+    PlanPoint sum;
+    for (const PlanTriangle& triangle : triangles_) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (triangle.corners[k] != point) continue;
+        for (const std::size_t side : {(k + 1) % 3, (k + 2) % 3}) {
+          if (triangle.neighbors[side] >= 0) continue;
+          // The other end of the cut side.
+          const auto end = static_cast<std::size_t>(
+              triangle.corners[side == (k + 1) % 3 ? (k + 2) % 3
+                                                   : (k + 1) % 3]);
+          const PlanPoint way =
+              points_[static_cast<std::size_t>(point)] - points_[end];
+          sum = sum + (1 / LengthOf(way)) * way;
+        }
+      }
+    }
+    const double length = LengthOf(sum);
+    return length > 0 ? (1 / length) * sum : PlanPoint{};
+  }
+
+  /// Drops triangles that rounding or the margin has turned over.
+  int DropFlat() {
+    std::vector<int> names(triangles_.size(), -1);
+    std::vector<PlanTriangle> kept;
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+      const auto& c = triangles_[i].corners;
+      const auto at = [&](std::size_t k) {
+        return points_[static_cast<std::size_t>(c[k])];
+      };
+      if (Cross(at(1) - at(0), at(2) - at(0)) <= 0) continue;
+      names[i] = static_cast<int>(kept.size());
+      kept.push_back(triangles_[i]);
+    }
+    for (PlanTriangle& triangle : kept) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        int& neighbor = triangle.neighbors[k];
+        if (neighbor < 0) continue;
+        neighbor = names[static_cast<std::size_t>(neighbor)];
+        if (neighbor < 0) triangle.kinds[k] = SideKind::kOutline;
+      }
+    }
+    const auto dropped = static_cast<int>(triangles_.size() - kept.size());
+    triangles_ = std::move(kept);
+    return dropped;
+  }
+
+  const Scene& scene_;
+  const PlanFrame& plan_;
+  Plane plane_;
+  std::vector<Segment> segments_;
+  std::vector<std::array<Point, 3>> covers_;  ///< of the surface
+  std::vector<Plane::Face_handle> handles_;
+  std::vector<PlanTriangle> triangles_;
+  std::vector<PlanPoint> points_;
+};
+
+}  // namespace
+
+FirstMesh FirstMeshOf(const Scene& scene, const PlanFrame& plan,
+                      std::span<const int> faces,
+                      std::span<const ExactSurfaceLine> lines) {
+  MeshMaker maker(scene, plan);
+  maker.AddFaces(faces);
+  maker.AddLines(lines);
+  return maker.Make();
+}
+
+}  // namespace truelux

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The mesh of a surface between the lines at which light jumps.
+
+#ifndef TRUELUX_ISOLUX_FIRST_MESH_H_
+#define TRUELUX_ISOLUX_FIRST_MESH_H_
+
+#include <span>
+
+#include "truelux/scene.h"
+
+#include "isolux/plan_frame.h"
+#include "isolux/plan_mesh.h"
+#include "surface/surface_frame.h"
+#include "surface/surface_lines.h"
+
+namespace truelux {
+
+/// Distances along a surface that have to do with its size.
+struct PlanScale {
+  double size = 0;    ///< the longer side of the extent [length]
+  double margin = 0;  ///< how far outlines and jumps are kept away
+
+  /// 2^-36 of the size.
+  static constexpr double kMargin = 0x1p-36;
+};
+
+/// A mesh and its scale.
+struct FirstMesh {
+  PlanMesh mesh{{}, {}};
+  PlanScale scale;
+  /// Triangles that were as thin as the margin and are left out.
+  int left_out = 0;
+};
+
+/// A constrained Delaunay triangulation of the faces of one side, exact until
+/// its points are rounded, with all lines as sides of triangles. Along jumps it
+/// is cut apart. Points on outlines and on jumps are moved inwards by the margin,
+/// so that no receiver lies on a face that stands there.
+///
+/// faces: FacesOfSide. lines: on these faces, with PlanTriangle::lines as
+/// indices.
+FirstMesh FirstMeshOf(const Scene& scene, const PlanFrame& plan,
+                      std::span<const int> faces,
+                      std::span<const ExactSurfaceLine> lines);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_ISOLUX_FIRST_MESH_H_

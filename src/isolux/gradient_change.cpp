@@ -309,11 +309,11 @@ GradientChange GradientChangeOver(const LightFeatures& features,
   GradientChange change;
   for (const LampSight& lamp : sight) {
     change.rate += kEnlarged * finder.RateOf(lamp);
-    if (change.rate * finder.diameter() > give_up) return change;
+    if (change.rate * finder.diameter() > give_up) return kUnknownChange;
   }
   for (const LampSight& lamp : sight) {
     change.jump += kEnlarged * finder.JumpOf(lamp, give_up);
-    if (change.jump > give_up) break;
+    if (change.jump > give_up) return kUnknownChange;
   }
   return change;
 }

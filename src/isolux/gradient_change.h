@@ -39,6 +39,7 @@
 #ifndef TRUELUX_ISOLUX_GRADIENT_CHANGE_H_
 #define TRUELUX_ISOLUX_GRADIENT_CHANGE_H_
 
+#include <limits>
 #include <span>
 
 #include "isolux/light_features.h"
@@ -58,10 +59,15 @@ struct GradientChange {
   }
 };
 
+/// Where nothing is known.
+inline constexpr GradientChange kUnknownChange{
+    std::numeric_limits<double>::infinity(),
+    std::numeric_limits<double>::infinity()};
+
 /// Over the convex hull of some points, which holds the centre. sight: Narrowed
 /// to these or more.
 /// give_up: if rate times the largest distance between points, and jump, exceed
-/// it [W/m^3], anything larger may be returned.
+/// it [W/m^3], kUnknownChange may be returned.
 GradientChange GradientChangeOver(const LightFeatures& features,
                                   const Sight& sight,
                                   std::span<const PlanPoint> points,

@@ -99,7 +99,7 @@ void LevelSearch::Know(int triangle, std::span<const double> levels) {
   known.centre = probe_.SampleAt(centre);
   known.is_known = true;
   if (!known.centre.is_defined) {
-    known.change = {HUGE_VAL, HUGE_VAL};
+    known.change = kUnknownChange;
     return;
   }
   known.sight = std::make_shared<const Sight>(

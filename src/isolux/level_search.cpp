@@ -117,6 +117,15 @@ void LevelSearch::Know(int triangle, std::span<const double> levels) {
   known.is_settled = IsSettled(triangle, levels);
 }
 
+std::pair<double, double> LevelSearch::RangeOf(int triangle) const {
+  const KnownTriangle& known = known_[static_cast<std::size_t>(triangle)];
+  if (!known.is_known || !known.centre.is_defined)
+    return {-HUGE_VAL, HUGE_VAL};
+  const ValueRange range =
+      RangeOver(known, mesh_.CentreOf(triangle), mesh_.CornersOf(triangle));
+  return {range.least, range.most};
+}
+
 bool LevelSearch::IsSettled(int triangle,
                             std::span<const double> levels) const {
   const KnownTriangle& known = known_[static_cast<std::size_t>(triangle)];

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "isolux/gradient_change.h"
@@ -67,6 +68,9 @@ class LevelSearch {
   [[nodiscard]] const std::vector<LightValue>& values() const {
     return values_;
   }
+
+  /// E in a triangle is between these [W/m^2]; infinite where nothing is known.
+  [[nodiscard]] std::pair<double, double> RangeOf(int triangle) const;
 
   [[nodiscard]] const std::vector<KnownTriangle>& known() const {
     return known_;

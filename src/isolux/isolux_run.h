@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The steps of truelux/isolux.h, for whoever watches.
+
+#ifndef TRUELUX_ISOLUX_ISOLUX_RUN_H_
+#define TRUELUX_ISOLUX_ISOLUX_RUN_H_
+
+#include <string>
+
+#include "truelux/isolux.h"
+
+#include "run/watch.h"
+
+namespace truelux {
+
+/// SurfaceLinesOf and IsoluxOf, with the watch in place of the options' hook and
+/// the oracle's stop flag.
+SurfaceLines FindSurfaceLines(const Oracle& oracle, const std::string& surface,
+                              const Watch& watch);
+Isolux FindIsolux(const Oracle& oracle, const std::string& surface,
+                  const IsoluxOptions& options, const Watch& watch);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_ISOLUX_ISOLUX_RUN_H_

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "scene/emitters.h"
+
 namespace truelux {
 namespace {
 
@@ -72,21 +74,25 @@ void ForEachSegment(PlaneCut& cut, const Visit& visit) {
     visit(edge.segment);
 }
 
-void DropPoints(PlaneCut& cut) {
-  std::vector<int> places(cut.points.size(), kOnTrace);
-  std::vector<CutPoint> kept;
-  ForEachSegment(cut, [&](CutSegment& segment) {
-    for (int& end : segment.ends) {
-      if (end == kOnTrace) continue;
-      const auto index = static_cast<std::size_t>(end);
-      if (places[index] == kOnTrace) {
-        places[index] = static_cast<int>(kept.size());
-        kept.push_back(cut.points[index]);
-      }
-      end = places[index];
-    }
-  });
-  cut.points = std::move(kept);
+bool FacetEmits(const Scene& scene, int facet) {
+  const int face = scene.facets()[static_cast<std::size_t>(facet)].face;
+  return Emits(scene.faces()[static_cast<std::size_t>(face)]);
+}
+
+/// Whether the front of a facet is seen from some place of the trace.
+bool MayShowFront(const PlaneCut& cut, const CutFacet& facet) {
+  const CutLine& line = cut.lines[static_cast<std::size_t>(facet.segment.line)];
+  return facet.turn * sgn(line.HeightAt(0)) < 0 ||
+         facet.turn * sgn(line.HeightAt(1)) < 0;
+}
+
+/// Whether a facet has an edge at its line, or another facet pierces it there.
+bool IsBound(const PlaneCut& cut, const CutFacet& facet) {
+  return facet.side != 0 ||
+         std::ranges::any_of(cut.facets, [&facet](const CutFacet& other) {
+           return other.segment.line == facet.segment.line &&
+                  other.tilt != facet.tilt;
+         });
 }
 
 /// Whether a point of a segment's line lies on the segment.
@@ -131,7 +137,32 @@ std::optional<CutPoint> CrossingOf(const CutLine& a, const CutLine& b) {
 void MergeFacets(PlaneCut& cut) {
   JoinSides(cut.facets);
   JoinParts(cut.facets);
-  DropPoints(cut);
+}
+
+void DropPoints(PlaneCut& cut) {
+  std::vector<int> places(cut.points.size(), kOnTrace);
+  std::vector<CutPoint> kept;
+  ForEachSegment(cut, [&](CutSegment& segment) {
+    for (int& end : segment.ends) {
+      if (end == kOnTrace) continue;
+      const auto index = static_cast<std::size_t>(end);
+      if (places[index] == kOnTrace) {
+        places[index] = static_cast<int>(kept.size());
+        kept.push_back(cut.points[index]);
+      }
+      end = places[index];
+    }
+  });
+  cut.points = std::move(kept);
+}
+
+void MarkParts(const Scene& scene, PlaneCut& cut) {
+  for (CutFacet& facet : cut.facets) {
+    facet.is_light = FacetEmits(scene, facet.facet) && MayShowFront(cut, facet);
+    facet.is_bound = IsBound(cut, facet);
+  }
+  for (CutFlat& flat : cut.flats)
+    flat.is_light = FacetEmits(scene, flat.facet);
 }
 
 void AddCrossings(PlaneCut& cut) {

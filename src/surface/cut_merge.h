@@ -4,14 +4,22 @@
 #ifndef TRUELUX_SURFACE_CUT_MERGE_H_
 #define TRUELUX_SURFACE_CUT_MERGE_H_
 
+#include "truelux/scene.h"
+
 #include "surface/plane_cut.h"
 
 namespace truelux {
 
-/// Joins the parts of one facet on one line that meet in a point, and drops the
-/// points that are then used by nothing. Triangles on both sides of a line in
+/// Joins the parts of one facet on one line that meet in a point. Triangles on both sides of a line in
 /// P, which is inside of their facet then, become one part that P crosses.
 void MergeFacets(PlaneCut& cut);
+
+/// Drops the points that nothing uses.
+void DropPoints(PlaneCut& cut);
+
+/// Says which parts of facets and which flat triangles are lights, and at which
+/// parts strips may differ. Requires merged facets.
+void MarkParts(const Scene& scene, PlaneCut& cut);
 
 /// Adds the points above the trace in which parts of facets or sides of flat
 /// triangles cross.

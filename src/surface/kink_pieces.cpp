@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "base/stop.h"
+#include "surface/cut_merge.h"
+#include "surface/cut_sieve.h"
 #include "surface/kink_events.h"
 #include "surface/plane_cut.h"
 #include "surface/strip_arcs.h"
@@ -93,6 +95,19 @@ std::optional<Rgb> SizeOf(const PlaneCut& cut, StripFinder& finder,
   return std::nullopt;
 }
 
+/// All that matters in a plane, with crossings.
+PlaneCut SimpleCutOf(const Scene& scene, const EdgePlanes& planes,
+                     std::size_t plane_index, const CutAxes& axes) {
+  PlaneCut cut = PlaneCutOf(scene, planes, plane_index, axes);
+  MergeFacets(cut);
+  MarkParts(scene, cut);
+  DropWithoutEffect(cut);
+  if (cut.facets.empty() && cut.flats.empty()) return {};
+  DropPoints(cut);
+  AddCrossings(cut);
+  return cut;
+}
+
 }  // namespace
 
 std::vector<KinkPiece> KinkPiecesOf(
@@ -101,9 +116,9 @@ std::vector<KinkPiece> KinkPiecesOf(
     const RationalVector& to, bool reversed_side, const StopFlag* stop) {
   const CutAxes axes = CutAxesOf(scene, frame, planes.planes.at(plane_index),
                                  from, to, reversed_side);
-  const PlaneCut cut = PlaneCutOf(scene, planes, plane_index, axes);
+  const PlaneCut cut = SimpleCutOf(scene, planes, plane_index, axes);
+  if (cut.points.empty()) return {};
   StripFinder finder(scene, cut);
-  if (!finder.MayHaveKinks()) return {};
   std::vector<KinkPiece> pieces;
   for (const Part& part : PartsOf(cut, finder, stop)) {
     const std::optional<Rgb> size = SizeOf(cut, finder, part);

@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
-#include "exact/sign.h"
-#include "surface/cut_merge.h"
+#include "exact/primitive.h"
+#include "scene/emitters.h"
 
 namespace truelux {
 namespace {
@@ -87,19 +87,23 @@ class Cutter {
       sides_.push_back(sides_of_plane_.Of(p));
   }
 
+  /// Whether a facet that emits meets P in more than a point, perhaps below the
+  /// trace.
+  [[nodiscard]] bool HasLight() const {
+    return std::ranges::any_of(
+        scene_.triangles(), [this](const Triangle& triangle) {
+          const Facet& facet =
+              scene_.facets()[static_cast<std::size_t>(triangle.facet)];
+          return Emits(scene_.faces()[static_cast<std::size_t>(facet.face)]) &&
+                 MeetingOf(triangle) != Meeting::kNone;
+        });
+  }
+
   void AddTriangles() {
     for (const Triangle& triangle : scene_.triangles()) {
-      std::array<int, 3> sides{};
-      for (std::size_t k = 0; k < 3; ++k)
-        sides[k] = SideOf(triangle.vertices[k]);
-      const int zeros = static_cast<int>(std::ranges::count(sides, 0));
-      const bool is_crossed =
-          std::ranges::count(sides, 1) > 0 && std::ranges::count(sides, -1) > 0;
-      if (zeros == 3) {
-        AddFlat(triangle);
-      } else if (zeros == 2 || is_crossed) {
-        AddFacet(triangle, sides);
-      }
+      const Meeting meeting = MeetingOf(triangle);
+      if (meeting == Meeting::kFlat) AddFlat(triangle);
+      if (meeting == Meeting::kLine) AddFacet(triangle);
     }
   }
 
@@ -117,6 +121,24 @@ class Cutter {
   PlaneCut Take() { return std::move(cut_); }
 
  private:
+  /// How a triangle meets P.
+  enum class Meeting { kNone, kLine, kFlat };
+
+  [[nodiscard]] Meeting MeetingOf(const Triangle& triangle) const {
+    int zeros = 0;
+    bool is_above = false;
+    bool is_below = false;
+    for (const int vertex : triangle.vertices) {
+      const int side = SideOf(vertex);
+      if (side == 0) ++zeros;
+      is_above = is_above || side > 0;
+      is_below = is_below || side < 0;
+    }
+    if (zeros == 3) return Meeting::kFlat;
+    return zeros == 2 || (is_above && is_below) ? Meeting::kLine
+                                                : Meeting::kNone;
+  }
+
   [[nodiscard]] int SideOf(int vertex) const {
     return sides_[static_cast<std::size_t>(vertex)];
   }
@@ -156,9 +178,10 @@ class Cutter {
       const mpq_class b = -dx / dy;
       line = {false, b, p.x + b * p.y};
     }
-    const auto found = std::ranges::find(cut_.lines, line);
-    const auto index = static_cast<int>(found - cut_.lines.begin());
-    if (found == cut_.lines.end()) cut_.lines.push_back(std::move(line));
+    const int next = static_cast<int>(cut_.lines.size());
+    const int index =
+        lines_.try_emplace({line.is_level, line.b, line.c}, next).first->second;
+    if (index == next) cut_.lines.push_back(std::move(line));
     return index;
   }
 
@@ -184,7 +207,10 @@ class Cutter {
     return segment;
   }
 
-  void AddFacet(const Triangle& triangle, const std::array<int, 3>& sides) {
+  void AddFacet(const Triangle& triangle) {
+    std::array<int, 3> sides{};
+    for (std::size_t k = 0; k < 3; ++k)
+      sides[k] = SideOf(triangle.vertices[k]);
     std::vector<Place> places;
     int side = 0;
     bool is_crossed = false;
@@ -207,7 +233,8 @@ class Cutter {
     const mpq_class scale =
         Dot(normal, line.is_level ? cut_.axes.up : cut_.axes.along);
     cut_.facets.push_back({triangle.facet, *segment, side, sgn(scale),
-                           Dot(normal, cut_.axes.normal) / scale});
+                           Dot(normal, cut_.axes.normal) / scale, false,
+                           false});
   }
 
   /// Of a triangle that meets the surface along the trace: receivers there lie
@@ -250,6 +277,7 @@ class Cutter {
   std::vector<int> sides_;  ///< of all vertices
   std::map<int, Place> places_;
   std::map<std::pair<mpq_class, mpq_class>, int> indices_;  ///< of points
+  std::map<std::tuple<bool, mpq_class, mpq_class>, int> lines_;
   PlaneCut cut_;
 };
 
@@ -290,12 +318,11 @@ PlaneCut PlaneCutOf(const Scene& scene, const EdgePlanes& planes,
                     std::size_t plane_index, const CutAxes& axes) {
   const EdgePlane& plane = planes.planes.at(plane_index);
   Cutter cutter(scene, plane, axes);
-  cutter.AddTriangles();
-  cutter.AddEdges(planes, plane);
-  PlaneCut cut = cutter.Take();
-  MergeFacets(cut);
-  AddCrossings(cut);
-  return cut;
+  if (cutter.HasLight()) {
+    cutter.AddTriangles();
+    cutter.AddEdges(planes, plane);
+  }
+  return cutter.Take();
 }
 
 }  // namespace truelux

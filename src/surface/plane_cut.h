@@ -79,6 +79,8 @@ struct CutFacet {
   int turn = 1;    ///< the front is seen where turn * HeightAt(t) < 0
   mpq_class tilt;  ///< of facets with one line: how far they lean along the
                    ///< normal, times their HeightAt(t)
+  bool is_light = false;  ///< emits, and may show its front
+  bool is_bound = false;  ///< what is seen may change at its line
 };
 
 /// A triangle in P, by its sides above the trace.
@@ -86,6 +88,7 @@ struct CutFlat {
   int facet = 0;       ///< index into Scene::facets()
   int front_side = 1;  ///< to which side of P its front looks
   std::vector<CutSegment> sides;
+  bool is_light = false;  ///< emits
 };
 
 /// An edge of the scene that lies in P.
@@ -99,7 +102,7 @@ struct CutEdge {
 struct PlaneCut {
   CutAxes axes;
   std::vector<CutLine> lines;    ///< each once
-  std::vector<CutPoint> points;  ///< each once: ends, and crossings of lines
+  std::vector<CutPoint> points;  ///< each once: ends, and crossings if added
   std::vector<CutFacet> facets;
   std::vector<CutFlat> flats;
   std::vector<CutEdge> edges;
@@ -117,7 +120,8 @@ struct PlaneCut {
                                 const RationalVector& from,
                                 const RationalVector& to, bool reversed_side);
 
-/// What lies in a plane.
+/// What lies in a plane, without crossings, and with every triangle on its own;
+/// nothing if no facet that emits meets the plane.
 [[nodiscard]] PlaneCut PlaneCutOf(const Scene& scene, const EdgePlanes& planes,
                                   std::size_t plane_index, const CutAxes& axes);
 

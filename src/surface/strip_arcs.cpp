@@ -27,51 +27,22 @@ bool FacetEmits(const Scene& scene, int facet) {
       scene.faces()[static_cast<std::size_t>(FaceOfFacet(scene, facet))]);
 }
 
-/// Whether the front of a facet is seen from some place of the trace.
-bool MayShowFront(const PlaneCut& cut, const CutFacet& facet) {
-  const CutLine& line = cut.lines[static_cast<std::size_t>(facet.segment.line)];
-  return facet.turn * sgn(line.HeightAt(0)) < 0 ||
-         facet.turn * sgn(line.HeightAt(1)) < 0;
-}
-
-/// Whether what is seen changes at a facet's line: it has an edge there, or
-/// another facet pierces it there.
-bool IsBound(const PlaneCut& cut, const CutFacet& facet) {
-  return facet.side != 0 ||
-         std::ranges::any_of(cut.facets, [&facet](const CutFacet& other) {
-           return other.segment.line == facet.segment.line &&
-                  other.tilt != facet.tilt;
-         });
-}
-
 }  // namespace
 
 StripFinder::StripFinder(const Scene& scene, const PlaneCut& cut)
     : scene_(scene), cut_(cut) {
   for (std::size_t i = 0; i < cut.facets.size(); ++i) {
     const CutFacet& facet = cut.facets[i];
-    spans_.push_back(
-        {&facet.segment, static_cast<int>(i), -1, IsBound(cut, facet),
-         FacetEmits(scene, facet.facet) && MayShowFront(cut, facet)});
+    spans_.push_back({&facet.segment, static_cast<int>(i), -1, facet.is_bound,
+                      facet.is_light});
   }
   for (std::size_t i = 0; i < cut.flats.size(); ++i) {
-    for (const CutSegment& side : cut.flats[i].sides) {
-      spans_.push_back({&side, -1, static_cast<int>(i), true,
-                        FacetEmits(scene, cut.flats[i].facet)});
-    }
+    const CutFlat& flat = cut.flats[i];
+    for (const CutSegment& side : flat.sides)
+      spans_.push_back({&side, -1, static_cast<int>(i), true, flat.is_light});
   }
   for (std::size_t i = 0; i < cut.points.size(); ++i)
     order_.push_back(static_cast<int>(i));
-}
-
-bool StripFinder::MayHaveKinks() const {
-  std::vector<int> lines;
-  bool has_light = false;
-  for (const Span& span : spans_) {
-    if (span.is_bound) AddOnce(lines, span.segment->line);
-    has_light = has_light || span.is_light;
-  }
-  return has_light && lines.size() > 1;
 }
 
 bool StripFinder::IsIn(const CutSegment& segment, const mpq_class& t,

@@ -49,9 +49,6 @@ class StripFinder {
   /// The scene and the cut must outlive it.
   StripFinder(const Scene& scene, const PlaneCut& cut);
 
-  /// Whether there can be a kink at all: a light, and two lines before it.
-  [[nodiscard]] bool MayHaveKinks() const;
-
   /// Whether what begins or ends in a direction (u, 1) can make a difference:
   /// a light and two lines lie there, seen from (t, 0), or begin there.
   [[nodiscard]] bool Matters(const mpq_class& t, const mpq_class& u) const;

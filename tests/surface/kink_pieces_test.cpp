@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where on a surface the gradient jumps: known answers, and the oracle's kinks
-// at points of the traces.
+// Where on a surface the gradient jumps: known answers.
 
 #include "surface/kink_pieces.h"
 
@@ -8,8 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -20,10 +17,8 @@
 #include "truelux/derivatives.h"
 #include "truelux/irradiance.h"
 
-#include "support/portable_random.h"
-#include "support/random_scene.h"
 #include "support/scenes.h"
-#include "support/sweep.h"
+#include "surface/ground.h"
 
 namespace truelux {
 namespace {
@@ -31,65 +26,6 @@ namespace {
 using namespace testing;  // NOLINT(google-build-using-namespace)
 
 constexpr Rgb kUnit = {1, 1, 1};
-const TestFace kGround = {Floor(-8, 8, -8, 8, 0)};
-
-RationalVector PointOf(const mpq_class& x, const mpq_class& y) {
-  return {x, y, 0};
-}
-
-/// A scene whose first face lies in z = 0 and looks up, with what it has.
-class Ground {
- public:
-  explicit Ground(const std::vector<TestFace>& above,
-                  const TestFace& ground = kGround)
-      : scene_(MakeScene(WithGround(above, ground))) {
-    const std::array<int, 1> faces = {0};
-    std::string defect;
-    frame_ = SurfaceFrameOf(scene_, faces, defect).value();
-    planes_ = EdgePlanesOf(scene_, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
-  }
-
-  [[nodiscard]] const Scene& scene() const { return scene_; }
-
-  [[nodiscard]] const EdgePlanes& planes() const { return planes_; }
-
-  /// The plane with a normal and an offset; throws if there is none.
-  [[nodiscard]] std::size_t PlaneOf(const std::array<int, 3>& normal,
-                                    const mpq_class& offset) const {
-    const auto found =
-        std::ranges::find_if(planes_.planes, [&](const EdgePlane& plane) {
-          return plane.normal.x == normal[0] && plane.normal.y == normal[1] &&
-                 plane.normal.z == normal[2] && plane.offset == offset;
-        });
-    if (found == planes_.planes.end()) throw std::out_of_range("no plane");
-    return static_cast<std::size_t>(found - planes_.planes.begin());
-  }
-
-  [[nodiscard]] std::vector<KinkPiece> Pieces(
-      std::size_t plane, const RationalVector& from, const RationalVector& to,
-      bool reversed_side = false) const {
-    return KinkPiecesOf(scene_, frame_, planes_, plane, from, to,
-                        reversed_side);
-  }
-
-  /// Of the plane x = 0, from y = -8 to 8.
-  [[nodiscard]] std::vector<KinkPiece> PiecesAtX0(
-      bool reversed_side = false) const {
-    return Pieces(PlaneOf({1, 0, 0}, 0), PointOf(0, -8), PointOf(0, 8),
-                  reversed_side);
-  }
-
- private:
-  static std::vector<TestFace> WithGround(std::vector<TestFace> faces,
-                                          const TestFace& ground) {
-    faces.insert(faces.begin(), ground);
-    return faces;
-  }
-
-  Scene scene_;
-  SurfaceFrame frame_;
-  EdgePlanes planes_;
-};
 
 /// The kink across x = 0 at (0, y) by the oracle; 0 without one.
 Rgb KinkAcrossX(const Scene& scene, double y) {
@@ -99,11 +35,6 @@ Rgb KinkAcrossX(const Scene& scene, double y) {
     if (kink.normal == Vector3{1, 0, 0}) return kink.size;
   }
   return {};
-}
-
-void ExpectNear(const Rgb& found, const Rgb& expected) {
-  for (std::size_t k = 0; k < 3; ++k)
-    EXPECT_NEAR(found[k], expected[k], 1e-12 * std::fabs(expected[k]));
 }
 
 void ExpectPieceAtX0(const KinkPiece& piece, const mpq_class& from,
@@ -234,16 +165,113 @@ TEST(KinkPieces, AThirdFaceHides) {
   ExpectPieceAtX0(pieces[0], mpq_class(-5, 3), mpq_class(1, 7));
 }
 
+// The second line of the plane is far away.
 TEST(KinkPieces, AnInnerDiagonalIsNone) {
-  // A non-planar lamp would bend there; a planar one is one facet.
+  Ring kite = {{-1, -1, 4}, {0, 1, 4}, {1, -1, 4}, {0, -2, 4}};
+  for (int start = 0; start < 4; ++start) {
+    const Ground ground(
+        {{kite, kUnit}, {Ceiling(0, 1, -1, 1, 1)}, {Ceiling(0, 1, 30, 31, 2)}});
+    EXPECT_TRUE(ground.PiecesAtX0().empty());
+    std::ranges::rotate(kite, kite.begin() + 1);
+  }
+}
+
+// It would be a kink if the lamp had two halves.
+TEST(KinkPieces, FacesSideBySideAreAsOneIfTheyEmitTheSame) {
+  const auto pieces_with = [](const Rgb& emission) {
+    return Ground({{Ceiling(-2, 0, -1, 1, 4), emission},
+                   {Ceiling(0, 2, -1, 1, 4), kUnit},
+                   {Ceiling(0, 1, -1, 1, 1)}})
+        .PiecesAtX0();
+  };
+  EXPECT_TRUE(pieces_with(kUnit).empty());
+  const auto pieces = pieces_with({1, 2, 1});
+  ASSERT_EQ(pieces.size(), 1U);
+  EXPECT_EQ(pieces[0].size[0], 0);
+  EXPECT_NE(pieces[0].size[1], 0);
+}
+
+// A wall through the lamp z = 4 at x = 0, and an edge at x = 0, z = 1.
+TEST(KinkPieces, AnEdgeOverALineWhereALampIsPierced) {
   const Ground ground(
-      {{{{-1, -1, 4}, {0, 1, 4}, {1, -1, 4}, {0, -2, 4}}, kUnit},
-       {Ceiling(0, 1, -1, 1, 1)}});
-  EXPECT_THROW(static_cast<void>(ground.PiecesAtX0()), std::out_of_range);
-  const Ground cut({{{{0, -2, 4}, {-1, -1, 4}, {0, 1, 4}, {1, -1, 4}}, kUnit},
-                    {Ceiling(0, 1, -1, 1, 1)},
-                    {Ceiling(5, 6, -1, 1, 1)}});
-  EXPECT_THROW(static_cast<void>(cut.PiecesAtX0()), std::out_of_range);
+      {{Ceiling(-3, 3, -1, 1, 4), kUnit},
+       {{{-1, -0.5, 3}, {-1, 0.5, 3}, {1, 0.5, 5}, {1, -0.5, 5}}},
+       {Ceiling(-1, 0, -1, 1, 1)}});
+  const auto pieces = ground.PiecesAtX0();
+  ASSERT_EQ(pieces.size(), 1U);
+  // The end (1/2, 4) of the wall over the end (-1, 1) of the edge.
+  ExpectPieceAtX0(pieces[0], mpq_class(-3, 2), mpq_class(3, 2));
+  ExpectNear(pieces[0].size, KinkAcrossX(ground.scene(), 0));
+  EXPECT_EQ(pieces[0].edges.size(), 1U);
+}
+
+TEST(KinkPieces, FacesThatEmitToBothSides) {
+  SceneBuilder builder("scene");
+  builder.SetTwoSided(true);
+  for (const TestFace& face : {GroundFace(), kLampAbove, WallAbove({1, 2, 0.5}),
+                               TestFace{Floor(-3, 0, -1, 1, 5), {2, 2, 2}},
+                               TestFace{Ceiling(-1, 0, -1, 1, 3)}}) {
+    builder.AddFace(face.ring, face.emission);
+  }
+  const Ground ground(*builder.Build().value);
+  const auto pieces = ground.PiecesAtX0();
+  const auto middle = std::ranges::find_if(pieces, [](const KinkPiece& piece) {
+    return piece.from.y < 0 && piece.to.y > 0;
+  });
+  ASSERT_NE(middle, pieces.end());
+  ASSERT_EQ(middle->from.y, -middle->to.y);
+  ExpectNear(middle->size, KinkAcrossX(ground.scene(), 0));
+  EXPECT_EQ(middle->faces, std::vector<int>{3});
+}
+
+/// Turned and three times as large.
+Point3 Turned(const Point3& p) {
+  return {2 * p.x - p.y + 2 * p.z, 2 * p.x + 2 * p.y - p.z,
+          2 * p.y + 2 * p.z - p.x};
+}
+
+TEST(KinkPieces, ASurfaceMayLieAnywhereAndLookToEitherSide) {
+  const std::vector<TestFace> above = {
+      kLampAbove, WallAbove({}), {Ceiling(0, 1, -1, 1, 0.5), {0, 1, 0}}};
+  const auto pieces = Ground(above).PiecesAtX0();
+  ASSERT_GT(pieces.size(), 2U);
+  std::vector<TestFace> turned = {{Reversed(GroundFace().ring)}};
+  turned.insert(turned.end(), above.begin(), above.end());
+  for (TestFace& face : turned) {
+    for (Point3& p : face.ring)
+      p = Turned(p);
+  }
+  const Scene scene = MakeScene(turned);
+  const std::array<int, 1> faces = {0};
+  std::string defect;
+  const SurfaceFrame frame = SurfaceFrameOf(scene, faces, defect).value();
+  const EdgePlanes planes =
+      EdgePlanesOf(scene, {{{0, 0, 0}, Turned({1, 0, 0}), Turned({0, 1, 0})}});
+  const auto plane =
+      std::ranges::find_if(planes.planes, [](const EdgePlane& candidate) {
+        return candidate.normal.x == 2 && candidate.normal.y == 2 &&
+               candidate.normal.z == -1 && candidate.offset == 0;
+      });
+  ASSERT_NE(plane, planes.planes.end());
+  const auto pieces_of = [&](bool reversed_side) {
+    return KinkPiecesOf(scene, frame, planes,
+                        static_cast<std::size_t>(plane - planes.planes.begin()),
+                        RationalOf(Turned({0, -8, 0})),
+                        RationalOf(Turned({0, 8, 0})), reversed_side);
+  };
+  EXPECT_TRUE(pieces_of(false).empty());
+  const auto others = pieces_of(true);
+  ASSERT_EQ(others.size(), pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    EXPECT_EQ(others[i].from.x, -pieces[i].from.y);
+    EXPECT_EQ(others[i].to.z, 2 * pieces[i].to.y);
+    EXPECT_EQ(others[i].faces, pieces[i].faces);
+    EXPECT_EQ(others[i].edges.size(), pieces[i].edges.size());
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(3 * others[i].size[k], pieces[i].size[k],
+                  2e-12 * std::fabs(pieces[i].size[k]));
+    }
+  }
 }
 
 TEST(KinkPieces, WhereAFaceStandsOnTheSurfaceThereIsNone) {
@@ -255,254 +283,6 @@ TEST(KinkPieces, WhereAFaceStandsOnTheSurfaceThereIsNone) {
   ExpectPieceAtX0(pieces[0], -3, -1);
   ExpectPieceAtX0(pieces[1], 1, 3);
   ExpectNear(pieces[1].size, KinkAcrossX(ground.scene(), 2));
-}
-
-/// What has been compared at points of traces.
-struct Counts {
-  int scenes = 0;
-  int kinks = 0;
-  int zeros = 0;     ///< points without a kink
-  int lit = 0;       ///< of these those with a kink elsewhere on the trace
-  int faces = 0;     ///< kinks of faces in their plane
-  int partial = 0;   ///< kinks of some channels
-  int cuts = 0;      ///< kinks at lines where faces pierce each other
-  int pierced = 0;   ///< of all those that the oracle finds at points, those
-                     ///< that a cut makes
-  int ends = 0;      ///< points at ends of pieces
-  int touching = 0;  ///< points on another face
-};
-
-/// Rectangles across the axes, some of which stand on z = 0 or go through it.
-TestFace RandomShelf(PortableRandom& random) {
-  for (;;) {
-    const int axis = random.Integer(0, 2);
-    const auto point = [&random] {
-      return Point3{1.0 * random.Integer(-3, 3), 1.0 * random.Integer(-3, 3),
-                    1.0 * random.Integer(random.OneIn(3) ? -1 : 1, 4)};
-    };
-    const Point3 a = point();
-    const Point3 b = point();
-    Ring ring = {a, a, b, b};
-    for (Point3& p : ring) {
-      if (axis == 0) p.x = a.x;
-      if (axis == 1) p.y = a.y;
-      if (axis == 2) p.z = a.z;
-    }
-    (axis == 0 ? ring[1].y : ring[1].x) = axis == 0 ? b.y : b.x;
-    (axis == 0 ? ring[3].y : ring[3].x) = axis == 0 ? a.y : a.x;
-    if (OnOneLine(ring[0], ring[1], ring[2])) continue;
-    const double m = random.OneIn(2) ? random.Integer(1, 4) : 0;
-    return {ring, {m, random.OneIn(2) ? 0.5 * m : 0, m > 0 ? 2.0 : 0}};
-  }
-}
-
-/// A wall that pierces the lamp z = 4 at x = 2k, and a shelf with an edge in
-/// x = k, z = 2: seen from x = 0, z = 0, the edge covers the cut.
-void AddPiercedLamp(PortableRandom& random, std::vector<TestFace>& faces) {
-  const double k = random.Integer(-2, 2);
-  const double up = random.Integer(-2, 2);
-  const double y0 = random.Integer(-3, 0);
-  const double y1 = random.Integer(1, 3);
-  const Ring wall = {{2 * k - 1, y0, 4 - up},
-                     {2 * k - 1, y1, 4 - up},
-                     {2 * k + 1, y1, 4 + up},
-                     {2 * k + 1, y0, 4 + up}};
-  const double width = random.OneIn(2) ? 1 : -1;
-  const Ring shelf = Ceiling(k, k + width, y0, random.Integer(1, 3), 2);
-  faces.push_back({Ceiling(-6, 6, -2, 3, 4), {2, 1, 1}});
-  faces.push_back({random.OneIn(2) ? Reversed(wall) : wall,
-                   {random.OneIn(2) ? 3.0 : 0, 0, 1}});
-  faces.push_back({random.OneIn(2) ? Reversed(shelf) : shelf});
-}
-
-std::vector<TestFace> RandomFaces(PortableRandom& random) {
-  std::vector<TestFace> faces;
-  if (random.OneIn(3)) {
-    AddPiercedLamp(random, faces);
-    if (random.OneIn(2)) return faces;
-  }
-  const int shelves = random.Integer(2, 7);
-  while (static_cast<int>(faces.size()) < shelves)
-    faces.push_back(RandomShelf(random));
-  for (TestFace face : RandomScene(random, true, random.Integer(0, 4), 3)) {
-    for (Point3& p : face.ring)
-      p.z += 2;
-    faces.push_back(face);
-  }
-  const double x = random.Integer(-3, 0);
-  const double y = random.Integer(-3, 0);
-  faces.push_back({Ceiling(x, x + random.Integer(2, 6), y,
-                           y + random.Integer(2, 6), random.Integer(3, 5)),
-                   kLamp});
-  return faces;
-}
-
-/// The double that a rational number is, if it is one.
-std::optional<double> DoubleOf(const mpq_class& q) {
-  const double x = q.get_d();
-  if (mpq_class(x) != q) return std::nullopt;
-  return x;
-}
-
-/// The kink across a plane; null if there is none.
-const Kink* KinkAcross(const std::vector<Kink>& kinks, const EdgePlane& plane) {
-  const Vector3 n = ToDouble(plane.normal);
-  const double length = std::hypot(n.x, n.y, n.z);
-  for (const Kink& kink : kinks) {
-    const Vector3& m = kink.normal;
-    if (std::hypot(m.x - n.x / length, m.y - n.y / length, m.z - n.z / length) <
-            1e-14 ||
-        std::hypot(m.x + n.x / length, m.y + n.y / length, m.z + n.z / length) <
-            1e-14) {
-      return &kink;
-    }
-  }
-  return nullptr;
-}
-
-class Comparison {
- public:
-  Comparison(const Ground& ground, Counts& counts)
-      : ground_(ground), oracle_(ground.scene()), counts_(counts) {}
-
-  void Compare(std::size_t index, PortableRandom& random) {
-    const EdgePlane& plane = ground_.planes().planes[index];
-    const mpz_class& a = plane.normal.x;
-    const mpz_class& b = plane.normal.y;
-    if (a == 0 && b == 0) return;
-    const bool by_x = abs(b) >= abs(a);
-    const auto at = [&](const mpq_class& s) {
-      if (by_x) return PointOf(s, (plane.offset - a * s) / b);
-      return PointOf((plane.offset - b * s) / a, s);
-    };
-    const mpq_class reach = 5;
-    const auto pieces = ground_.Pieces(index, at(mpq_class(-reach)), at(reach));
-    for (const KinkPiece& piece : pieces)
-      CompareSize(index, piece);
-    for (int i = 0; i < 2; ++i) {
-      const mpq_class s = mpq_class(random.Integer(-40, 40)) / 8;
-      ComparePoint(index, at(s), pieces);
-    }
-  }
-
- private:
-  static mpq_class AlongOf(const RationalVector& from, const RationalVector& to,
-                           const RationalVector& p) {
-    return Dot(to - from, p - from) / Dot(to - from, to - from);
-  }
-
-  /// The oracle's kinks at a point; nothing if it lies on a face or is no
-  /// double.
-  std::optional<std::vector<Kink>> KinksAt(const RationalVector& p) {
-    const auto x = DoubleOf(p.x);
-    const auto y = DoubleOf(p.y);
-    if (!x || !y) return std::nullopt;
-    const Derivatives derivatives =
-        oracle_.Derivatives(Receiver{{*x, *y, 0}, {0, 0, 1}, 1},
-                            {.sphere = false, .jacobian = false});
-    if (derivatives.smoothness == Smoothness::kDiscontinuous) {
-      ++counts_.touching;
-      return std::nullopt;
-    }
-    return derivatives.kinks;
-  }
-
-  /// A piece's middle, where its size is known, if that is a double.
-  void CompareSize(std::size_t index, const KinkPiece& piece) {
-    const mpq_class half(1, 2);
-    CompareKink(index, half * (piece.from + piece.to), piece);
-  }
-
-  void CompareKink(std::size_t index, const RationalVector& p,
-                   const KinkPiece& piece) {
-    const auto kinks = KinksAt(p);
-    if (!kinks) return;
-    const Kink* kink = KinkAcross(*kinks, ground_.planes().planes[index]);
-    // The size may pass through 0.
-    if (kink == nullptr && piece.size == Rgb{}) return;
-    ASSERT_NE(kink, nullptr) << p.x << ' ' << p.y << " size " << piece.size[0];
-    ++counts_.kinks;
-    for (const Kink& other : *kinks)
-      ExpectPlane(other, p);
-    ExpectNear(piece.size, kink->size);
-    if (std::ranges::count(kink->size, 0) > 0) ++counts_.partial;
-    if (!piece.faces.empty()) ++counts_.faces;
-    std::vector<int> faces = kink->faces;
-    std::ranges::sort(faces);
-    EXPECT_TRUE(std::ranges::includes(faces, piece.faces));
-    if (piece.faces.empty() && piece.edges.size() < 2) ++counts_.cuts;
-  }
-
-  /// A kink at a point must lie in a plane that is known.
-  void ExpectPlane(const Kink& kink, const RationalVector& p) {
-    if (kink.faces.empty() && (kink.edges[0][0] < 0 || kink.edges[1][0] < 0))
-      ++counts_.pierced;
-    EXPECT_TRUE(std::ranges::any_of(
-        ground_.planes().planes, [&](const EdgePlane& plane) {
-          return plane.normal.x * p.x + plane.normal.y * p.y == plane.offset &&
-                 KinkAcross({kink}, plane) != nullptr;
-        }));
-  }
-
-  void ComparePoint(std::size_t index, const RationalVector& p,
-                    const std::vector<KinkPiece>& pieces) {
-    for (const KinkPiece& piece : pieces) {
-      const mpq_class t = AlongOf(piece.from, piece.to, p);
-      if (t < 0 || t > 1) continue;
-      if (t == 0 || t == 1) {
-        ++counts_.ends;
-        return;
-      }
-      // With the point in the middle.
-      const mpq_class reach = t < mpq_class(1, 2) ? t : mpq_class(1 - t);
-      const RationalVector arm = reach * (piece.to - piece.from);
-      const auto middle = ground_.Pieces(index, p - arm, p + arm);
-      ASSERT_EQ(middle.size(), 1U);
-      EXPECT_EQ(middle[0].edges, piece.edges);
-      EXPECT_EQ(middle[0].faces, piece.faces);
-      CompareKink(index, p, middle[0]);
-      return;
-    }
-    const auto kinks = KinksAt(p);
-    if (!kinks) return;
-    for (const Kink& kink : *kinks)
-      ExpectPlane(kink, p);
-    EXPECT_EQ(KinkAcross(*kinks, ground_.planes().planes[index]), nullptr)
-        << p.x << ' ' << p.y;
-    ++counts_.zeros;
-    if (!pieces.empty()) ++counts_.lit;
-  }
-
-  const Ground& ground_;
-  Oracle oracle_;
-  Counts& counts_;
-};
-
-TEST(KinkPieces, AreTheOraclesKinksOnLattices) {
-  Counts counts;
-  for (int seed = 0; seed < SweepSize(8, 200); ++seed) {
-    PortableRandom random(static_cast<std::uint64_t>(seed) + 77000);
-    const Ground ground(RandomFaces(random));
-    Comparison comparison(ground, counts);
-    ++counts.scenes;
-    for (std::size_t i = 0; i < ground.planes().planes.size(); ++i)
-      comparison.Compare(i, random);
-    if (HasFailure()) FAIL() << "seed " << seed;
-  }
-  for (const auto& [name, count] : std::vector<std::pair<std::string, int>>{
-           {"scenes", counts.scenes},
-           {"kinks", counts.kinks},
-           {"zeros", counts.zeros},
-           {"lit", counts.lit},
-           {"faces", counts.faces},
-           {"partial", counts.partial},
-           {"cuts", counts.cuts},
-           {"pierced", counts.pierced},
-           {"ends", counts.ends},
-           {"touching", counts.touching}}) {
-    EXPECT_GT(count, 2) << name;
-    RecordProperty(name, count);
-  }
 }
 
 }  // namespace

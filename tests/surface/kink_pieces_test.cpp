@@ -205,6 +205,40 @@ TEST(KinkPieces, AnEdgeOverALineWhereALampIsPierced) {
   EXPECT_EQ(pieces[0].edges.size(), 1U);
 }
 
+// The same with a steep lamp: the line meets the ground at y = -1, and from
+// there the lamp is seen on either side.
+TEST(KinkPieces, ACutIsSeenFromBothSidesOfItsFoot) {
+  const auto at = [](double x, double y, double up) {
+    return Point3{x, y, 4 + 4 * y + up * x};
+  };
+  const Ring lamp = {at(-3, -0.5, 0), at(-3, 0.5, 0), at(3, 0.5, 0),
+                     at(3, -0.5, 0)};
+  int kinks_before = 0;
+  int kinks_behind = 0;
+  for (const double up : {-1, 1}) {
+    for (const Ring& ring : {lamp, Reversed(lamp)}) {
+      const Ground ground({{ring, kUnit},
+                           {{at(-1, -0.5, up), at(-1, 0.5, up), at(1, 0.5, up),
+                             at(1, -0.5, up)}},
+                           {Ceiling(-1, 0, -2, 1, 1)}});
+      const std::size_t plane = ground.PlaneOf({1, 0, 0}, 0);
+      for (double y = -3.75; y < 4; y += 0.5) {
+        const mpq_class reach = mpq_class(1) / 1024;
+        const auto pieces =
+            ground.Pieces(plane, PointOf(0, y - reach), PointOf(0, y + reach));
+        ASSERT_LE(pieces.size(), 1U) << y;
+        const Rgb expected = KinkAcrossX(ground.scene(), y);
+        EXPECT_EQ(pieces.empty(), expected == Rgb{}) << y;
+        if (pieces.empty()) continue;
+        ExpectNear(pieces[0].size, expected);
+        ++(y < -1 ? kinks_before : kinks_behind);
+      }
+    }
+  }
+  EXPECT_GT(kinks_before, 2);
+  EXPECT_GT(kinks_behind, 2);
+}
+
 TEST(KinkPieces, FacesThatEmitToBothSides) {
   SceneBuilder builder("scene");
   builder.SetTwoSided(true);

@@ -99,6 +99,9 @@ TEST(KinkPieces, CausesCutAPiece) {
   EXPECT_EQ(pieces[0].edges.size(), 2U);
   EXPECT_EQ(pieces[1].edges.size(), 3U);
   EXPECT_EQ(pieces[2].edges.size(), 2U);
+  // Far edges of opposite sides cancel in the middle, and only there.
+  EXPECT_EQ(pieces[1].size, Rgb{});
+  EXPECT_NE(pieces[0].size, Rgb{});
 }
 
 // A wall in x = 0 that stays above the ground.

@@ -12,8 +12,7 @@ namespace truelux {
 namespace {
 
 bool HaveSameEnds(const CutSegment& a, const CutSegment& b) {
-  return std::ranges::minmax(a.ends).min == std::ranges::minmax(b.ends).min &&
-         std::ranges::minmax(a.ends).max == std::ranges::minmax(b.ends).max;
+  return a.ends == b.ends || (a.ends[0] == b.ends[1] && a.ends[1] == b.ends[0]);
 }
 
 /// Makes one part of two that lie on both sides of a line.

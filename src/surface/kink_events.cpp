@@ -29,6 +29,10 @@ bool AreClearlyApart(const NearPoint& a, const NearPoint& b) {
   return (p > slack && p - z > slack) || (p < -slack && p - z < -slack);
 }
 
+bool IsBetweenEnds(const mpq_class& t) {
+  return sgn(t) > 0 && cmp(t, 1) < 0;
+}
+
 bool ShareALine(const CutPoint& a, const CutPoint& b) {
   return std::ranges::any_of(a.lines, [&b](int line) {
     return std::ranges::find(b.lines, line) != b.lines.end();
@@ -41,7 +45,7 @@ std::vector<mpq_class> EventsOf(const PlaneCut& cut, const StripFinder& finder,
                                 const StopFlag* stop) {
   std::vector<mpq_class> events = {0, 1};
   const auto add = [&events](const mpq_class& t) {
-    if (t > 0 && t < 1) events.push_back(t);
+    if (IsBetweenEnds(t)) events.push_back(t);
   };
   for (const CutLine& line : cut.lines) {
     if (!line.is_level) add(line.c);
@@ -62,13 +66,12 @@ std::vector<mpq_class> EventsOf(const PlaneCut& cut, const StripFinder& finder,
       if (AreClearlyApart(near[i], near[k]) || a.z == b.z || ShareALine(a, b))
         continue;
       const mpq_class t = (a.p - b.p) / (a.z - b.z);
-      if (t > 0 && t < 1 && finder.Matters(t, a.DirectionFrom(t)))
+      if (IsBetweenEnds(t) && finder.Matters(t, a.DirectionFrom(t)))
         events.push_back(t);
     }
   }
   std::ranges::sort(events);
-  const auto rest = std::ranges::unique(events);
-  events.erase(rest.begin(), rest.end());
+  events.erase(std::unique(events.begin(), events.end()), events.end());
   return events;
 }
 

@@ -33,8 +33,7 @@ struct Part {
 
 void SortOnce(std::vector<int>& numbers) {
   std::ranges::sort(numbers);
-  const auto rest = std::ranges::unique(numbers);
-  numbers.erase(rest.begin(), rest.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 Causes CausesOf(const std::vector<StripArc>& arcs) {

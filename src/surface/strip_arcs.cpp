@@ -228,39 +228,44 @@ StripFinder::Seen StripFinder::SeenIn(const Cell& cell, int strip, int sense,
   return {nearest, FaceOfFacet(scene_, nearest->scene_facet)};
 }
 
+void StripFinder::AddStep(const Seen& below, const Seen& above, int place,
+                          Steps& steps) const {
+  if (above.face == below.face) return;
+  const auto k = static_cast<std::size_t>(place);
+  const auto exitance = [this](const Seen& seen, std::size_t channel) {
+    return seen.face < 0 ? 0
+                         : scene_.faces()[static_cast<std::size_t>(seen.face)]
+                               .emission[channel];
+  };
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    mpq_class& jump = steps.steps[k].jump[channel];
+    jump += exitance(above, channel);
+    jump -= exitance(below, channel);
+  }
+  for (const Cover* cover : {above.cover, below.cover}) {
+    if (cover != nullptr && cover->facet == nullptr &&
+        (cover->near == place || cover->far == place)) {
+      AddOnce(steps.faces[k], FaceOfFacet(scene_, cover->scene_facet));
+    }
+  }
+}
+
 std::optional<StripArc> StripFinder::ArcOf(const Cell& cell,
                                            const mpq_class& t) const {
-  StripArc all;
+  Steps all;
   for (const PlacedLine& line : cell.lines)
     all.steps.push_back({line.line, {}});
-  std::vector<std::vector<int>> faces(cell.lines.size());
+  all.faces.resize(cell.lines.size());
+  const int count = static_cast<int>(cell.lines.size());
   for (const int sense : {1, -1}) {
     Seen below = SeenIn(cell, 0, sense, t);
-    for (std::size_t k = 0; k < cell.lines.size(); ++k) {
-      const int strip = static_cast<int>(k) + 1;
-      const Seen above = SeenIn(cell, strip, sense, t);
-      if (above.face != below.face) {
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-          mpq_class& jump = all.steps[k].jump[channel];
-          const auto exitance = [&](int face) {
-            return scene_.faces()[static_cast<std::size_t>(face)]
-                .emission[channel];
-          };
-          if (above.face >= 0) jump += exitance(above.face);
-          if (below.face >= 0) jump -= exitance(below.face);
-        }
-        for (const Cover* cover : {above.cover, below.cover}) {
-          if (cover != nullptr && cover->facet == nullptr &&
-              (cover->near == static_cast<int>(k) ||
-               cover->far == static_cast<int>(k))) {
-            AddOnce(faces[k], FaceOfFacet(scene_, cover->scene_facet));
-          }
-        }
-      }
+    for (int place = 0; place < count; ++place) {
+      const Seen above = SeenIn(cell, place + 1, sense, t);
+      AddStep(below, above, place, all);
       below = above;
     }
   }
-  if (!DropChannelsWithoutKink(all)) return std::nullopt;
+  if (!DropChannelsWithoutKink(all.steps)) return std::nullopt;
   StripArc arc;
   for (std::size_t k = 0; k < all.steps.size(); ++k) {
     if (std::ranges::all_of(all.steps[k].jump,
@@ -268,13 +273,13 @@ std::optional<StripArc> StripFinder::ArcOf(const Cell& cell,
       continue;
     }
     arc.steps.push_back(std::move(all.steps[k]));
-    for (const int face : faces[k])
+    for (const int face : all.faces[k])
       AddOnce(arc.faces, face);
   }
   return arc;
 }
 
-bool StripFinder::DropChannelsWithoutKink(StripArc& arc) const {
+bool StripFinder::DropChannelsWithoutKink(std::vector<StripStep>& steps) const {
   // The sum of jump (u + b) / (c - t) over lines vanishes for all u and t if it
   // does over the lines of each c.
   bool has_kink = false;
@@ -283,7 +288,7 @@ bool StripFinder::DropChannelsWithoutKink(StripArc& arc) const {
       const CutLine& line = cut_.lines[static_cast<std::size_t>(step.line)];
       mpq_class sum;
       mpq_class moment;
-      for (const StripStep& other : arc.steps) {
+      for (const StripStep& other : steps) {
         const CutLine& l = cut_.lines[static_cast<std::size_t>(other.line)];
         if (l.is_level != line.is_level) continue;
         if (l.is_level) {
@@ -295,8 +300,8 @@ bool StripFinder::DropChannelsWithoutKink(StripArc& arc) const {
       }
       return sum == 0 && moment == 0;
     };
-    if (std::ranges::all_of(arc.steps, vanishes)) {
-      for (StripStep& step : arc.steps)
+    if (std::ranges::all_of(steps, vanishes)) {
+      for (StripStep& step : steps)
         step.jump[channel] = 0;
     } else {
       has_kink = true;

@@ -100,7 +100,12 @@ class StripFinder {
     int face = -1;  ///< -1: nothing that emits
   };
 
-  void AddSpan(Span span);
+  /// The steps of a cell by its lines.
+  struct Steps {
+    std::vector<StripStep> steps;
+    std::vector<std::vector<int>> faces;  ///< in P that make them, indices
+  };
+
   void Sort(const mpq_class& t);
   [[nodiscard]] Cells CellsOf(const CutSegment& segment,
                               const mpq_class& t) const;
@@ -118,9 +123,12 @@ class StripFinder {
   [[nodiscard]] bool IsNearer(const Cover& a, const Cover& b, int strip,
                               int sense, const Cell& cell,
                               const mpq_class& t) const;
+  void AddStep(const Seen& below, const Seen& above, int place,
+               Steps& steps) const;
   [[nodiscard]] std::optional<StripArc> ArcOf(const Cell& cell,
                                               const mpq_class& t) const;
-  [[nodiscard]] bool DropChannelsWithoutKink(StripArc& arc) const;
+  [[nodiscard]] bool DropChannelsWithoutKink(
+      std::vector<StripStep>& steps) const;
   void AddEdges(StripArc& arc, int cell, const mpq_class& t) const;
 
   const Scene& scene_;

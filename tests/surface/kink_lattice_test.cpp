@@ -219,8 +219,8 @@ class Comparison {
                     const std::vector<KinkPiece>& pieces) {
     for (const KinkPiece& piece : pieces) {
       const mpq_class t = AlongOf(piece.from, piece.to, p);
-      if (t < 0 || t > 1) continue;
-      if (t == 0 || t == 1) {
+      if (sgn(t) < 0 || cmp(t, 1) > 0) continue;
+      if (sgn(t) == 0 || cmp(t, 1) == 0) {
         ++counts_.ends;
         return;
       }

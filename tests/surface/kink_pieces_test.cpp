@@ -175,7 +175,7 @@ TEST(KinkPieces, AnInnerDiagonalIsNone) {
     const Ground ground(
         {{kite, kUnit}, {Ceiling(0, 1, -1, 1, 1)}, {Ceiling(0, 1, 30, 31, 2)}});
     EXPECT_TRUE(ground.PiecesAtX0().empty());
-    std::ranges::rotate(kite, kite.begin() + 1);
+    std::rotate(kite.begin(), kite.begin() + 1, kite.end());
   }
 }
 
@@ -225,7 +225,8 @@ TEST(KinkPieces, ACutIsSeenFromBothSidesOfItsFoot) {
                              at(1, -0.5, up)}},
                            {Ceiling(-1, 0, -2, 1, 1)}});
       const std::size_t plane = ground.PlaneOf({1, 0, 0}, 0);
-      for (double y = -3.75; y < 4; y += 0.5) {
+      for (int i = -15; i < 16; i += 2) {
+        const double y = 0.25 * i;
         const mpq_class reach = mpq_class(1) / 1024;
         const auto pieces =
             ground.Pieces(plane, PointOf(0, y - reach), PointOf(0, y + reach));

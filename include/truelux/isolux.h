@@ -48,8 +48,8 @@ struct SurfaceLine {
   /// other.
   std::vector<std::array<int, 2>> edges;
   /// Of a kink: b in the middle [W/m^3]: beside the line the gradient jumps by
-  /// 2 b m, m the unit normal of the plane through the edges. Never 0 in all
-  /// channels.
+  /// 2 b m, m the unit normal of the plane through the edges. It may pass
+  /// through 0 there.
   Rgb size{};
   /// Of a jump: E in the middle [W/m^2], 2^-36 of the surface's size to the left
   /// and to the right of the way from end to end, as seen from the lit side.
@@ -129,8 +129,8 @@ struct IsoluxOptions {
   /// or the one value of a scene whose channels are all alike.
   std::optional<ScalarChannel> channel;
   double half_width = 0;  ///< of transversals [length]; 0: 1e-9 of the size
-  double chord = 0;       ///< most width of a chord [length]; 0: 1e-3 of the size
-  double smallest = 0;    ///< triangles get no smaller [length]; 0: 2^-16
+  double chord = 0;     ///< most width of a chord [length]; 0: 1e-3 of the size
+  double smallest = 0;  ///< triangles get no smaller [length]; 0: 2^-16
   std::size_t most_triangles = 0;  ///< 0: 4 million
   int threads = 1;                 ///< 1 .. 1024
   ProgressHook progress{};

@@ -5,6 +5,24 @@
 #include <tuple>
 
 namespace truelux {
+namespace {
+
+/// The primitive positive multiple of (x, y, z). scale: a common denominator.
+PrimitiveVector WithScale(const mpq_class& x, const mpq_class& y,
+                          const mpq_class& z, const mpz_class& scale) {
+  PrimitiveVector p{x.get_num() * (scale / x.get_den()),
+                    y.get_num() * (scale / y.get_den()),
+                    z.get_num() * (scale / z.get_den())};
+  const mpz_class common = gcd(gcd(p.x, p.y), p.z);
+  if (common > 1) {
+    p.x /= common;
+    p.y /= common;
+    p.z /= common;
+  }
+  return p;
+}
+
+}  // namespace
 
 bool operator<(const PrimitiveVector& a, const PrimitiveVector& b) {
   return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
@@ -20,17 +38,12 @@ PrimitiveVector MakePrimitive(const Vec3<Exact>& v) {
   const mpq_class y = rational(v.y);
   const mpq_class z = rational(v.z);
   // The denominators are powers of two: the largest is the common one.
-  const mpz_class scale = std::max({x.get_den(), y.get_den(), z.get_den()});
-  PrimitiveVector p{x.get_num() * (scale / x.get_den()),
-                    y.get_num() * (scale / y.get_den()),
-                    z.get_num() * (scale / z.get_den())};
-  const mpz_class common = gcd(gcd(p.x, p.y), p.z);
-  if (common > 1) {
-    p.x /= common;
-    p.y /= common;
-    p.z /= common;
-  }
-  return p;
+  return WithScale(x, y, z, std::max({x.get_den(), y.get_den(), z.get_den()}));
+}
+
+PrimitiveVector MakePrimitive(const Vec3<mpq_class>& v) {
+  return WithScale(v.x, v.y, v.z,
+                   lcm(lcm(v.x.get_den(), v.y.get_den()), v.z.get_den()));
 }
 
 PrimitiveVector WithoutSign(const PrimitiveVector& v) {

@@ -28,6 +28,7 @@ struct PrimitiveVector {
 
 /// The primitive positive multiple of v; (0, 0, 0) stays.
 PrimitiveVector MakePrimitive(const Vec3<Exact>& v);
+PrimitiveVector MakePrimitive(const Vec3<mpq_class>& v);
 
 /// v or -v, so that equal planes with opposite normals become equal.
 PrimitiveVector WithoutSign(const PrimitiveVector& v);

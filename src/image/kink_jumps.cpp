@@ -76,6 +76,11 @@ std::array<Point3, 3> CornersOf(const Scene& scene, const SurfaceFrame& frame) {
   return corners;
 }
 
+/// A point with rounded coordinates.
+Point3 NearPointOf(const RationalVector& p) {
+  return {NearestTo(p.x), NearestTo(p.y), NearestTo(p.z)};
+}
+
 class CrossingFinder {
  public:
   CrossingFinder(const Scene& scene, const SurfaceFrame& frame,
@@ -122,6 +127,12 @@ class CrossingFinder {
           return scene_.vertices()[static_cast<std::size_t>(vertex)];
         };
         edges.push_back({{at(ends[0]), at(ends[1])}, line});
+      }
+      for (const int index :
+           found_.cuts_of_line[static_cast<std::size_t>(line)]) {
+        const auto& [from, to] =
+            found_.cuts[static_cast<std::size_t>(index)].ends;
+        edges.push_back({{NearPointOf(from), NearPointOf(to)}, line});
       }
     }
     return edges;

@@ -42,8 +42,8 @@ double WidthOf(const ChordRegion& region, const ContourPoint& from,
   const PlanPoint way = to.at - from.at;
   const double across = Dot(way, up);
   const double along = std::fabs(Cross(way, up));
-  const double steepest = change / std::sqrt((slope - change) *
-                                             (slope + change));
+  const double steepest =
+      change / std::sqrt((slope - change) * (slope + change));
   // The ends are off by their transversals.
   const double ends = std::max(from.half_width, to.half_width);
   if (steepest * along <= std::fabs(across)) return ends;
@@ -98,11 +98,11 @@ void ChordDivider::Add(const ChordRegion& region, const ContourPoint& from,
   part.sample = probe_.SampleAt(part.at);
   part.sight = std::make_shared<const Sight>(
       Narrowed(features_, *region.sight, part.corners));
-  part.change = part.sample.is_defined
-                    ? GradientChangeOver(features_, *part.sight, part.corners,
-                                         part.at,
-                                         2 * LengthOf(part.sample.gradient))
-                    : kUnknownChange;
+  part.change =
+      part.sample.is_defined
+          ? GradientChangeOver(features_, *part.sight, part.corners, part.at,
+                               2 * LengthOf(part.sample.gradient))
+          : kUnknownChange;
   const double smaller = WidthOf(part, from, to);
   if (smaller <= longest_) {
     piece.widths.push_back(smaller);

@@ -54,8 +54,7 @@ class ChordDivider {
   /// Of a contour that runs in the region from `from` to `to`, once.
   [[nodiscard]] ContourPiece Divide(const ChordRegion& region,
                                     const ContourPoint& from,
-                                    const ContourPoint& to,
-                                    double level) const;
+                                    const ContourPoint& to, double level) const;
 
  private:
   void Add(const ChordRegion& region, const ContourPoint& from,

@@ -50,7 +50,8 @@ class LevelTracer {
       const auto triangle = static_cast<int>(i);
       const PlanTriangle& t = mesh_.At(triangle);
       std::array<bool, 3> is_above;
-      for (std::size_t k = 0; k < 3; ++k) is_above[k] = IsAbove(t.corners[k]);
+      for (std::size_t k = 0; k < 3; ++k)
+        is_above[k] = IsAbove(t.corners[k]);
       for (std::size_t k = 0; k < 3; ++k) {
         // The corner that differs from both others.
         const std::size_t next = (k + 1) % 3;
@@ -67,9 +68,7 @@ class LevelTracer {
     }
   }
 
-  [[nodiscard]] std::size_t crossing_count() const {
-    return crossings_.size();
-  }
+  [[nodiscard]] std::size_t crossing_count() const { return crossings_.size(); }
 
   [[nodiscard]] std::size_t link_count() const { return links_.size(); }
 
@@ -87,13 +86,16 @@ class LevelTracer {
     };
     const KnownTriangle& known =
         search_.known()[static_cast<std::size_t>(found.triangle)];
-    Crossing crossing{at(p), at(q), value(p), value(q),
-                      mesh_.CentreOf(found.triangle), known.centre.gradient,
+    Crossing crossing{at(p),
+                      at(q),
+                      value(p),
+                      value(q),
+                      mesh_.CentreOf(found.triangle),
+                      known.centre.gradient,
                       t.kinds[found.side]};
-    const std::array<int, 2> beside = {found.triangle,
-                                       t.neighbors[found.side]};
-    found.point = finder_.OnCrossing(
-        crossing, level_, [&](const PlanPoint& point) {
+    const std::array<int, 2> beside = {found.triangle, t.neighbors[found.side]};
+    found.point =
+        finder_.OnCrossing(crossing, level_, [&](const PlanPoint& point) {
           return std::ranges::any_of(beside, [&](int triangle) {
             return triangle >= 0 && Holds(triangle, point);
           });

@@ -29,7 +29,7 @@ struct ContourLine {
 /// What lines cost and how good they are to be.
 struct ContourWishes {
   double half_width = 0;  ///< of transversals [length]
-  double chord = 0;       ///< most distance of a contour from its chord [length]
+  double chord = 0;  ///< most distance of a contour from its chord [length]
 };
 
 /// The contours that a settled search has found. search: after Settle.

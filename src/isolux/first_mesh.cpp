@@ -23,8 +23,9 @@ using Vertices = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using Faces = CGAL::Triangulation_face_base_with_info_2<
     int, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<Vertices, Faces>;
-using Plane = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, Structure, CGAL::Exact_intersections_tag>;
+using Plane =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
+                                               CGAL::Exact_intersections_tag>;
 using Point = Kernel::Point_2;
 
 Kernel::FT ExactOf(const mpq_class& q) {
@@ -66,18 +67,17 @@ class MeshMaker {
     }
     for (const auto& [ends, count] : sides) {
       if (count == 1) {
-        segments_.push_back({PointOf(ends[0]), PointOf(ends[1]),
-                             SideKind::kOutline, -1});
+        segments_.push_back(
+            {PointOf(ends[0]), PointOf(ends[1]), SideKind::kOutline, -1});
       }
     }
   }
 
   void AddLines(std::span<const ExactSurfaceLine> lines) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      segments_.push_back(
-          {PointOf(lines[i].from), PointOf(lines[i].to),
-           lines[i].is_jump ? SideKind::kJump : SideKind::kKink,
-           static_cast<int>(i)});
+      segments_.push_back({PointOf(lines[i].from), PointOf(lines[i].to),
+                           lines[i].is_jump ? SideKind::kJump : SideKind::kKink,
+                           static_cast<int>(i)});
     }
   }
 
@@ -188,7 +188,8 @@ class MeshMaker {
   /// A point for each corner of each group of triangles that hang together
   /// around it.
   void MakePoints() {
-    for (auto& triangle : triangles_) triangle.corners = {-1, -1, -1};
+    for (auto& triangle : triangles_)
+      triangle.corners = {-1, -1, -1};
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
         if (triangles_[i].corners[k] >= 0) continue;
@@ -208,8 +209,7 @@ class MeshMaker {
     while (!open.empty()) {
       const auto next = static_cast<std::size_t>(open.back());
       open.pop_back();
-      const auto k =
-          static_cast<std::size_t>(handles_[next]->index(vertex));
+      const auto k = static_cast<std::size_t>(handles_[next]->index(vertex));
       PlanTriangle& t = triangles_[next];
       if (t.corners[k] >= 0) continue;
       t.corners[k] = name;
@@ -249,7 +249,8 @@ class MeshMaker {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (inward[i].empty()) continue;
       PlanPoint sum;
-      for (const PlanPoint& left : inward[i]) sum = sum + left;
+      for (const PlanPoint& left : inward[i])
+        sum = sum + left;
       // At two sides the point that is as far from both; at the end of a jump,
       // where they are opposite, straight on.
       if (inward[i].size() == 2) {
@@ -274,8 +275,8 @@ class MeshMaker {
           if (triangle.neighbors[side] >= 0) continue;
           // The other end of the cut side.
           const auto end = static_cast<std::size_t>(
-              triangle.corners[side == (k + 1) % 3 ? (k + 2) % 3
-                                                   : (k + 1) % 3]);
+              triangle
+                  .corners[side == (k + 1) % 3 ? (k + 2) % 3 : (k + 1) % 3]);
           const PlanPoint way =
               points_[static_cast<std::size_t>(point)] - points_[end];
           sum = sum + (1 / LengthOf(way)) * way;

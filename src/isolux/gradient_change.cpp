@@ -47,8 +47,8 @@ class BoundFinder {
       middle_.y += p.t / static_cast<double>(points.size());
     }
     for (const PlanPoint& p : points) {
-      radius_ = std::max(
-          radius_, LengthOf(Vec3<double>{p.s, p.t, 0} - middle_));
+      radius_ =
+          std::max(radius_, LengthOf(Vec3<double>{p.s, p.t, 0} - middle_));
     }
     radius_ += 0x1p-40 * features.size();
   }
@@ -100,7 +100,8 @@ class BoundFinder {
       most_height_ = std::max(most_height_, lamp_->plane.HeightOf(p));
     tilt_ = std::hypot(lamp_->plane.normal.x, lamp_->plane.normal.y);
     // Any point of the lamp is so far away.
-    lamp_distance_ = std::fabs(lamp_->plane.HeightOf(middle_)) - radius_ * tilt_;
+    lamp_distance_ =
+        std::fabs(lamp_->plane.HeightOf(middle_)) - radius_ * tilt_;
     lamp_distance_ = std::max(0.0, lamp_distance_);
   }
 
@@ -115,9 +116,8 @@ class BoundFinder {
   double AreaRate(const std::array<Vec3<double>, 3>& corners, int depth) const {
     const auto& [a, b, c] = corners;
     const Vec3<double> centre = (1.0 / 3) * (a + b + c);
-    const double spread =
-        std::max({LengthOf(a - centre), LengthOf(b - centre),
-                  LengthOf(c - centre)});
+    const double spread = std::max(
+        {LengthOf(a - centre), LengthOf(b - centre), LengthOf(c - centre)});
     const double high = std::max({a.z, b.z, c.z});
     if (high <= 0) return 0;
     const double to_centre = LengthOf(centre - middle_) - radius_;
@@ -156,24 +156,23 @@ class BoundFinder {
       const Vec3<double> middle = Between(a, b, 0.5);
       return EdgeRate(a, middle) + EdgeRate(middle, b);
     }
-    const double slant =
-        SlantOf(Between(a, b, 0.5), length / 2, distance);
+    const double slant = SlantOf(Between(a, b, 0.5), length / 2, distance);
     const double cube = distance * distance * distance;
     // l(x) / l(r) <= 1 for what is before the lamp.
-    const double share =
-        least_height_ > height ? height / least_height_ : 1.0;
+    const double share = least_height_ > height ? height / least_height_ : 1.0;
     const double sweep = high / cube;
     const double far = std::max(distance, lamp_distance_);
-    double rate = length * share *
-                  (sweep / distance * (1 + 4 * slant) + sweep * 4 / far);
+    double rate =
+        length * share * (sweep / distance * (1 + 4 * slant) + sweep * 4 / far);
     if (tilt_ > 0) {
       // l(x) / l(r)^2 over the edge: its largest value, or the integral up to
       // l(r), which is 1 / (2 |grad l along the edge|).
-      const double least = std::max(least_height_, std::min(height_a, height_b));
+      const double least =
+          std::max(least_height_, std::min(height_a, height_b));
       const double largest =
-          height <= least_height_ ? length * height / (least_height_ *
-                                                       least_height_)
-                                  : length / least;
+          height <= least_height_
+              ? length * height / (least_height_ * least_height_)
+              : length / least;
       const double slope = std::fabs(height_b - height_a) / length;
       rate += 2 * tilt_ * sweep * std::min(largest, 0.5 / slope);
     }
@@ -189,8 +188,7 @@ class BoundFinder {
         const Vec3<double> r = {p.s, p.t, 0};
         normals_.push_back(Cross(edge.ends[0] - r, edge.ends[1] - r));
       }
-      normals_.push_back(
-          Cross(edge.ends[0] - centre_, edge.ends[1] - centre_));
+      normals_.push_back(Cross(edge.ends[0] - centre_, edge.ends[1] - centre_));
     }
   }
 
@@ -269,8 +267,7 @@ class BoundFinder {
     }
     const double height =
         std::max(lamp_->plane.HeightOf(a), lamp_->plane.HeightOf(b));
-    const double share =
-        least_height_ > height ? height / least_height_ : 1.0;
+    const double share = least_height_ > height ? height / least_height_ : 1.0;
     return length * share * high / (distance * distance * distance);
   }
 
@@ -294,7 +291,7 @@ class BoundFinder {
   const Lamp* lamp_ = nullptr;
   double least_height_ = 0;  ///< of the polygon over the lamp's plane
   double most_height_ = 0;
-  double tilt_ = 0;          ///< a of the head
+  double tilt_ = 0;  ///< a of the head
   double lamp_distance_ = 0;
   std::vector<Vec3<double>> normals_;
 };

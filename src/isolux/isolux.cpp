@@ -29,9 +29,8 @@ SurfaceLines SurfaceLinesOf(const Oracle& oracle, const std::string& surface) {
 
 Isolux IsoluxOf(const Oracle& oracle, const std::string& surface,
                 const IsoluxOptions& options) {
-  return FindIsolux(
-      oracle, surface, options,
-      {.stop = oracle.options().stop, .hook = options.progress});
+  return FindIsolux(oracle, surface, options,
+                    {.stop = oracle.options().stop, .hook = options.progress});
 }
 
 }  // namespace truelux

@@ -112,21 +112,22 @@ class IsoluxFinder {
   Isolux Find(const std::string& surface) {
     NamedSurface named = SurfaceNamed(oracle_.scene(), surface);
     result_.lines.notes = std::move(named.notes);
-    const EdgePlanes planes =
-        EdgePlanesOf(oracle_.scene(),
-                     CornersOfSurface(oracle_.scene(), named.frame),
-                     kMostEdgeLines, watch_.stop);
+    const EdgePlanes planes = EdgePlanesOf(
+        oracle_.scene(), CornersOfSurface(oracle_.scene(), named.frame),
+        kMostEdgeLines, watch_.stop);
     sides_ = SidesOf(oracle_.scene(), named.frame, planes, watch_);
-    for (const SurfaceSide& side : sides_) Prepare(side, planes);
+    for (const SurfaceSide& side : sides_)
+      Prepare(side, planes);
     SetLevels();
-    for (const auto& search : searches_) Trace(*search);
+    for (const auto& search : searches_)
+      Trace(*search);
     return std::move(result_);
   }
 
  private:
   void Prepare(const SurfaceSide& side, const EdgePlanes& planes) {
-    FirstMesh first = FirstMeshOf(oracle_.scene(), side.plan, side.faces,
-                                  side.lines.lines);
+    FirstMesh first =
+        FirstMeshOf(oracle_.scene(), side.plan, side.faces, side.lines.lines);
     result_.size = std::max(result_.size, first.scale.size);
     for (SurfaceLine& line : ShownLines(oracle_, side, first.scale.size))
       result_.lines.lines.push_back(std::move(line));
@@ -145,8 +146,8 @@ class IsoluxFinder {
     Parts(const Oracle& oracle, const SurfaceSide& its_side,
           const EdgePlanes& planes, const Rgb& weights, PlanMesh mesh)
         : side(its_side),
-          features(oracle.scene(), side.plan, planes,
-                   oracle.options().emission, weights),
+          features(oracle.scene(), side.plan, planes, oracle.options().emission,
+                   weights),
           probe(oracle, side.plan, weights),
           search(probe, features, std::move(mesh)) {}
 
@@ -194,22 +195,21 @@ class IsoluxFinder {
 
   void Trace(Parts& own) {
     SearchLimits limits;
-    limits.smallest = options_.smallest > 0 ? options_.smallest
-                                            : kSmallest * result_.size;
-    limits.most_triangles = options_.most_triangles > 0
-                                ? options_.most_triangles
-                                : kMostTriangles;
+    limits.smallest =
+        options_.smallest > 0 ? options_.smallest : kSmallest * result_.size;
+    limits.most_triangles =
+        options_.most_triangles > 0 ? options_.most_triangles : kMostTriangles;
     own.search.Settle(result_.levels, limits, options_.threads, watch_);
     const std::uint64_t searched = own.probe.count();
     ContourWishes wishes;
     wishes.half_width = options_.half_width > 0 ? options_.half_width
                                                 : kHalfWidth * result_.size;
-    wishes.chord =
-        options_.chord > 0 ? options_.chord : kChord * result_.size;
+    wishes.chord = options_.chord > 0 ? options_.chord : kChord * result_.size;
     const auto lines =
         ContourLinesOf(own.probe, own.features, own.search, result_.levels,
                        wishes, options_.threads, watch_);
-    for (const ContourLine& line : lines) AddContour(own.side.plan, line);
+    for (const ContourLine& line : lines)
+      AddContour(own.side.plan, line);
     result_.search_evaluations += searched;
     result_.line_evaluations += own.probe.count() - searched;
     AddAreas(own);
@@ -223,9 +223,8 @@ class IsoluxFinder {
     contour.widths = line.widths;
     for (const ContourPoint& point : line.points) {
       contour.vertices.push_back({plan.PointAt(point.at),
-                                  plan.VectorOf(point.across),
-                                  point.half_width, point.is_certified,
-                                  PlaceOf(point.on)});
+                                  plan.VectorOf(point.across), point.half_width,
+                                  point.is_certified, PlaceOf(point.on)});
     }
   }
 
@@ -234,8 +233,8 @@ class IsoluxFinder {
     result_.triangles += mesh.triangles().size();
     bool is_first = result_.area == 0;
     for (const LightValue& value : own.search.values()) {
-      result_.least = is_first ? value.value
-                               : std::min(result_.least, value.value);
+      result_.least =
+          is_first ? value.value : std::min(result_.least, value.value);
       result_.most = std::max(result_.most, value.value);
       is_first = false;
     }
@@ -273,13 +272,11 @@ SurfaceLines FindSurfaceLines(const Oracle& oracle, const std::string& surface,
                               const Watch& watch) {
   const Scene& scene = oracle.scene();
   NamedSurface named = SurfaceNamed(scene, surface);
-  const EdgePlanes planes =
-      EdgePlanesOf(scene, CornersOfSurface(scene, named.frame), kMostEdgeLines,
-                   watch.stop);
+  const EdgePlanes planes = EdgePlanesOf(
+      scene, CornersOfSurface(scene, named.frame), kMostEdgeLines, watch.stop);
   SurfaceLines result;
   result.notes = std::move(named.notes);
-  for (const SurfaceSide& side :
-       SidesOf(scene, named.frame, planes, watch)) {
+  for (const SurfaceSide& side : SidesOf(scene, named.frame, planes, watch)) {
     const double size =
         FirstMeshOf(scene, side.plan, side.faces, {}).scale.size;
     for (SurfaceLine& line : ShownLines(oracle, side, size))

@@ -17,9 +17,8 @@ std::vector<double> EvenLevels(double least, double most, int count) {
       const std::string text = fmt::format("{:.{}g}", level, digits);
       levels.push_back(std::strtod(text.c_str(), nullptr));
     }
-    const bool ascends =
-        std::ranges::adjacent_find(levels, std::greater_equal<>()) ==
-        levels.end();
+    const bool ascends = std::ranges::adjacent_find(
+                             levels, std::greater_equal<>()) == levels.end();
     if (ascends && levels.front() > least && levels.back() < most) break;
   }
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());

@@ -52,7 +52,8 @@ LevelSearch::LevelSearch(const LightProbe& probe, const LightFeatures& features,
     : probe_(probe), features_(features), mesh_(std::move(mesh)) {
   const auto whole = std::make_shared<const Sight>(WholeSight(features));
   known_.resize(mesh_.triangles().size());
-  for (KnownTriangle& known : known_) known.sight = whole;
+  for (KnownTriangle& known : known_)
+    known.sight = whole;
 }
 
 void LevelSearch::Halve(int triangle, std::vector<int>& changed) {
@@ -82,11 +83,10 @@ void LevelSearch::SamplePoints(int threads, const Watch& watch) {
   const std::size_t first = values_.size();
   values_.resize(mesh_.points().size());
   Progress progress(values_.size() - first, "points", watch);
-  ForEachInParallel(values_.size() - first, threads, progress,
-                    [&](std::size_t i) {
-                      values_[first + i] =
-                          probe_.ValueAt(mesh_.points()[first + i]);
-                    });
+  ForEachInParallel(
+      values_.size() - first, threads, progress, [&](std::size_t i) {
+        values_[first + i] = probe_.ValueAt(mesh_.points()[first + i]);
+      });
 }
 
 void LevelSearch::Know(int triangle, std::span<const double> levels) {
@@ -102,15 +102,15 @@ void LevelSearch::Know(int triangle, std::span<const double> levels) {
     known.change = kUnknownChange;
     return;
   }
-  known.sight = std::make_shared<const Sight>(
-      Narrowed(features_, *known.sight, corners));
+  known.sight =
+      std::make_shared<const Sight>(Narrowed(features_, *known.sight, corners));
   // What would be too much for the level that asks for least.
   const double slope = LengthOf(known.centre.gradient);
   double useful = HUGE_VAL;
   for (const double level : levels) {
     const double apart = std::fabs(known.centre.light.value - level);
-    useful = std::min(
-        useful, std::max(slope, 2 * (apart / known.radius - slope)));
+    useful =
+        std::min(useful, std::max(slope, 2 * (apart / known.radius - slope)));
   }
   known.change =
       GradientChangeOver(features_, *known.sight, corners, centre, 2 * useful);
@@ -119,8 +119,7 @@ void LevelSearch::Know(int triangle, std::span<const double> levels) {
 
 std::pair<double, double> LevelSearch::RangeOf(int triangle) const {
   const KnownTriangle& known = known_[static_cast<std::size_t>(triangle)];
-  if (!known.is_known || !known.centre.is_defined)
-    return {-HUGE_VAL, HUGE_VAL};
+  if (!known.is_known || !known.centre.is_defined) return {-HUGE_VAL, HUGE_VAL};
   const ValueRange range =
       RangeOver(known, mesh_.CentreOf(triangle), mesh_.CornersOf(triangle));
   return {range.least, range.most};

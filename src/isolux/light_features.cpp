@@ -50,15 +50,14 @@ LightPlane PlaneOf(const Scene& scene, const PlanFrame& frame, int facet) {
   const Vector3 n = FacetNormal(scene, facet);
   const double length = std::hypot(n.x, n.y, n.z);
   LightPlane plane;
-  plane.normal =
-      frame.DirectionOf({n.x / length, n.y / length, n.z / length});
+  plane.normal = frame.DirectionOf({n.x / length, n.y / length, n.z / length});
   const Facet& f = scene.facets()[static_cast<std::size_t>(facet)];
   const Triangle& triangle =
       scene.triangles()[static_cast<std::size_t>(f.first_triangle)];
   plane.offset = Dot(
       plane.normal,
-      frame.PlaceOf(scene.vertices()[static_cast<std::size_t>(
-          triangle.vertices[0])]));
+      frame.PlaceOf(
+          scene.vertices()[static_cast<std::size_t>(triangle.vertices[0])]));
   return plane;
 }
 
@@ -89,11 +88,9 @@ void LightFeatures::AddLamps(const Scene& scene, const PlanFrame& frame,
                              Emission emission, const Rgb& weights) {
   for (std::size_t i = 0; i < scene.facets().size(); ++i) {
     const Facet& facet = scene.facets()[i];
-    const Rgb& m =
-        scene.faces()[static_cast<std::size_t>(facet.face)].emission;
+    const Rgb& m = scene.faces()[static_cast<std::size_t>(facet.face)].emission;
     Lamp lamp;
-    lamp.exitance =
-        weights[0] * m[0] + weights[1] * m[1] + weights[2] * m[2];
+    lamp.exitance = weights[0] * m[0] + weights[1] * m[1] + weights[2] * m[2];
     if (emission == Emission::kRadiance) lamp.exitance *= std::numbers::pi;
     if (!(lamp.exitance > 0)) continue;
     lamp.plane = PlaneOf(scene, frame, static_cast<int>(i));
@@ -128,6 +125,27 @@ void LightFeatures::AddEdges(const Scene& scene, const PlanFrame& frame,
     for (const LinePiece& piece : cover.Pieces())
       AddEdge(scene, frame, piece, static_cast<int>(i));
   }
+  for (const SceneCut& cut : planes.cuts) {
+    LightEdge edge;
+    edge.line = cut.line;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const RationalVector& end = cut.ends[k];
+      edge.ends[k] =
+          frame.PlaceOf({NearestTo(end.x), NearestTo(end.y), NearestTo(end.z)});
+    }
+    AddAboveSurface(edge);
+  }
+}
+
+void LightFeatures::AddAboveSurface(LightEdge edge) {
+  auto& [a, b] = edge.ends;
+  for (Vec3<double>& end : edge.ends) {
+    if (std::fabs(end.z) <= 0x1p-48 * size_) end.z = 0;
+  }
+  if (a.z <= 0 && b.z <= 0) return;
+  if (a.z < 0) a = FootOf(a, b);
+  if (b.z < 0) b = FootOf(b, a);
+  edges_.push_back(edge);
 }
 
 void LightFeatures::AddEdge(const Scene& scene, const PlanFrame& frame,
@@ -137,12 +155,7 @@ void LightFeatures::AddEdge(const Scene& scene, const PlanFrame& frame,
   for (std::size_t k = 0; k < 2; ++k) {
     edge.ends[k] = frame.PlaceOf(
         scene.vertices()[static_cast<std::size_t>(piece.ends[k])]);
-    if (std::fabs(edge.ends[k].z) <= 0x1p-48 * size_) edge.ends[k].z = 0;
   }
-  auto& [a, b] = edge.ends;
-  if (a.z <= 0 && b.z <= 0) return;
-  if (a.z < 0) a = FootOf(a, b);
-  if (b.z < 0) b = FootOf(b, a);
   if (piece.facets.size() == 2) {
     const FacetSide& one = piece.facets[0];
     const FacetSide& other = piece.facets[1];
@@ -155,7 +168,7 @@ void LightFeatures::AddEdge(const Scene& scene, const PlanFrame& frame,
       edge.planes[1].offset = -edge.planes[1].offset;
     }
   }
-  edges_.push_back(edge);
+  AddAboveSurface(edge);
 }
 
 void LightFeatures::AddBlockers(const Scene& scene, const PlanFrame& frame) {

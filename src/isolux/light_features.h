@@ -94,6 +94,7 @@ class LightFeatures {
                 const EdgePlanes& planes);
   void AddEdge(const Scene& scene, const PlanFrame& frame,
                const LinePiece& piece, int line);
+  void AddAboveSurface(LightEdge edge);
   void AddBlockers(const Scene& scene, const PlanFrame& frame);
   void FindCoplanarLines(const EdgePlanes& planes);
 

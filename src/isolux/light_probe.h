@@ -23,6 +23,7 @@ struct LightValue {
   [[nodiscard]] bool IsAbove(double level) const {
     return value - level > bound;
   }
+
   [[nodiscard]] bool IsBelow(double level) const {
     return level - value > bound;
   }

@@ -42,7 +42,8 @@ void LineCover::Add(const std::array<int, 2>& ends,
   Edge edge{ends, {facets.begin(), facets.end()}};
   if (PlaceOf(ends[1]) < PlaceOf(ends[0])) {
     std::swap(edge.ends[0], edge.ends[1]);
-    for (FacetSide& side : edge.facets) side.is_forward = !side.is_forward;
+    for (FacetSide& side : edge.facets)
+      side.is_forward = !side.is_forward;
   }
   edges_.push_back(std::move(edge));
 }

@@ -20,7 +20,7 @@ struct FacetSide {
 
 /// A part of a line along which the same facets end.
 struct LinePiece {
-  std::array<int, 2> ends{};  ///< indices into Scene::vertices()
+  std::array<int, 2> ends{};      ///< indices into Scene::vertices()
   std::vector<FacetSide> facets;  ///< forward: from the first end to the second
 };
 

@@ -22,8 +22,7 @@ Occluder::Occluder(const Blocker& blocker, std::span<const PlanPoint> corners,
     cone.apex = {p.s, p.t, 0};
     for (std::size_t i = 0; i < blocker.corners.size(); ++i) {
       const Vec3<double>& a = blocker.corners[i];
-      const Vec3<double>& b =
-          blocker.corners[(i + 1) % blocker.corners.size()];
+      const Vec3<double>& b = blocker.corners[(i + 1) % blocker.corners.size()];
       Vec3<double> normal = Cross(a - cone.apex, b - cone.apex);
       const double inward = Dot(normal, middle - cone.apex);
       const double length = std::sqrt(Dot(normal, normal));

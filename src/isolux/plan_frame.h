@@ -83,7 +83,7 @@ class PlanFrame {
   [[nodiscard]] Vec3<double> DirectionOf(const Vec3<double>& v) const;
 
  private:
-  Vec3<double> u_;     ///< unit vectors
+  Vec3<double> u_;  ///< unit vectors
   Vec3<double> v_;
   Vec3<double> n_;
   Vec3<double> base_;  ///< the point at (0, 0, 0)

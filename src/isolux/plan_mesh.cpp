@@ -10,8 +10,7 @@ namespace truelux {
 std::array<PlanPoint, 3> PlanMesh::CornersOf(int triangle) const {
   std::array<PlanPoint, 3> corners;
   for (std::size_t k = 0; k < 3; ++k) {
-    corners[k] =
-        points_[static_cast<std::size_t>(At(triangle).corners[k])];
+    corners[k] = points_[static_cast<std::size_t>(At(triangle).corners[k])];
   }
   return corners;
 }

@@ -38,9 +38,7 @@ class PlanMesh {
   PlanMesh(std::vector<PlanPoint> points, std::vector<PlanTriangle> triangles)
       : points_(std::move(points)), triangles_(std::move(triangles)) {}
 
-  [[nodiscard]] const std::vector<PlanPoint>& points() const {
-    return points_;
-  }
+  [[nodiscard]] const std::vector<PlanPoint>& points() const { return points_; }
 
   [[nodiscard]] const std::vector<PlanTriangle>& triangles() const {
     return triangles_;

@@ -85,8 +85,10 @@ class ShaftPlanes {
       is_above = is_above || height > slack_;
       is_below = is_below || height < -slack_;
     };
-    for (const PlanPoint& p : points_) look(plane.HeightOf(p));
-    for (const Vec3<double>& p : lamp_) look(plane.HeightOf(p));
+    for (const PlanPoint& p : points_)
+      look(plane.HeightOf(p));
+    for (const Vec3<double>& p : lamp_)
+      look(plane.HeightOf(p));
     if (is_above && is_below) return;
     if (is_above) {
       plane.normal = -plane.normal;
@@ -135,9 +137,8 @@ bool IsFold(const LightEdge& edge, const LightPlane& lamp,
 /// ray to the lamp meets it.
 bool IsBefore(const LightPlane& lamp, std::span<const Vec3<double>> corners,
               double slack) {
-  return std::ranges::all_of(corners, [&](const Vec3<double>& p) {
-    return lamp.HeightOf(p) > slack;
-  });
+  return std::ranges::all_of(
+      corners, [&](const Vec3<double>& p) { return lamp.HeightOf(p) > slack; });
 }
 
 /// Adds what no occluder hides of a part of an edge.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 namespace truelux {
@@ -46,12 +47,15 @@ std::vector<SurfaceLine> ShownLines(const Oracle& oracle,
   std::vector<SurfaceLine> shown;
   for (const ExactSurfaceLine& exact : side.lines.lines) {
     SurfaceLine& line = shown.emplace_back();
-    line.kind =
-        exact.is_jump ? SurfaceLineKind::kJump : SurfaceLineKind::kKink;
+    line.kind = exact.is_jump ? SurfaceLineKind::kJump : SurfaceLineKind::kKink;
     line.ends = {RoundedOf(exact.from), RoundedOf(exact.to)};
     line.faces = exact.faces;
     line.edges = exact.edges;
     line.size = exact.size;
+    if (oracle.options().emission == Emission::kRadiance) {
+      for (double& b : line.size)
+        b *= std::numbers::pi;
+    }
     if (exact.is_jump)
       SetSides(oracle, side.plan, PlanScale::kMargin * size, line);
   }

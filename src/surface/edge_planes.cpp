@@ -84,9 +84,14 @@ class Finder {
       : scene_(scene), surface_(surface), stop_(stop) {}
 
   EdgePlanes Find(std::size_t most_lines) {
-    CollectLines();
+    const std::set<Ends> outlines = OutlinesOf(scene_);
+    CollectEdges(outlines);
+    found_.is_complete = found_.edges_of_line.size() <= most_lines;
+    if (found_.is_complete) {
+      CollectCuts(outlines);
+      found_.is_complete = found_.edges_of_line.size() <= most_lines;
+    }
     const std::size_t count = found_.edges_of_line.size();
-    found_.is_complete = count <= most_lines;
     if (found_.is_complete) {
       for (std::size_t i = 0; i < count; ++i) {
         StopIfAsked(stop_);
@@ -108,27 +113,53 @@ class Finder {
     return scene_.vertices()[static_cast<std::size_t>(vertex)];
   }
 
-  void CollectLines() {
+  [[nodiscard]] RationalVector RationalAt(int vertex) const {
+    return truelux::RationalOf(At(vertex));
+  }
+
+  /// The line through a point; new ones are added.
+  int LineOf(const PrimitiveVector& along, const RationalVector& point) {
+    const PrimitiveVector direction = WithoutSign(along);
+    const Key key = {direction, Cross(RationalOf(direction), point)};
+    const int next = static_cast<int>(lines_.size());
+    const int line = lines_.try_emplace(key, next).first->second;
+    if (line == next) {
+      found_.edges_of_line.emplace_back();
+      found_.cuts_of_line.emplace_back();
+    }
+    return line;
+  }
+
+  void CollectEdges(const std::set<Ends>& outlines) {
     const Vec3<Exact> normal =
         Cross(Displacement<Exact>(surface_[0], surface_[1]),
               Displacement<Exact>(surface_[0], surface_[2]));
     const auto is_level = [&](int vertex) {
       return SignOf(HeightOver(normal, surface_[0], At(vertex))) == Sign::kZero;
     };
-    std::map<Key, int> lines;
-    for (const Ends& ends : OutlinesOf(scene_)) {
+    for (const Ends& ends : outlines) {
       StopIfAsked(stop_);
       if (is_level(ends[0]) && is_level(ends[1])) continue;
-      const PrimitiveVector along = WithoutSign(
-          MakePrimitive(Displacement<Exact>(At(ends[0]), At(ends[1]))));
-      const Key key = {
-          along, Cross(RationalOf(along), truelux::RationalOf(At(ends[0])))};
-      const int next = static_cast<int>(lines.size());
-      const int line = lines.try_emplace(key, next).first->second;
-      if (line == next) found_.edges_of_line.emplace_back();
+      const int line =
+          LineOf(MakePrimitive(Displacement<Exact>(At(ends[0]), At(ends[1]))),
+                 RationalAt(ends[0]));
       found_.edges_of_line[static_cast<std::size_t>(line)].push_back(
           static_cast<int>(found_.edges.size()));
       found_.edges.push_back({ends, line});
+    }
+  }
+
+  void CollectCuts(const std::set<Ends>& outlines) {
+    const RationalVector at = truelux::RationalOf(surface_[0]);
+    const RationalVector normal = Cross(truelux::RationalOf(surface_[1]) - at,
+                                        truelux::RationalOf(surface_[2]) - at);
+    for (FaceCut& ends : FaceCutsOf(scene_, outlines, stop_)) {
+      if (Dot(normal, ends[0] - at) == 0 && Dot(normal, ends[1] - at) == 0)
+        continue;
+      const int line = LineOf(MakePrimitive(ends[1] - ends[0]), ends[0]);
+      found_.cuts_of_line[static_cast<std::size_t>(line)].push_back(
+          static_cast<int>(found_.cuts.size()));
+      found_.cuts.push_back({std::move(ends), line});
     }
   }
 
@@ -147,26 +178,57 @@ class Finder {
     }
   }
 
-  [[nodiscard]] const Ends& EndsOf(int line) const {
-    const int edge = found_.edges_of_line[static_cast<std::size_t>(line)][0];
-    return found_.edges[static_cast<std::size_t>(edge)].ends;
+  /// Two points of a line.
+  [[nodiscard]] FaceCut PointsOf(int line) const {
+    const auto index = static_cast<std::size_t>(line);
+    if (found_.edges_of_line[index].empty()) {
+      const int cut = found_.cuts_of_line[index][0];
+      return found_.cuts[static_cast<std::size_t>(cut)].ends;
+    }
+    const int edge = found_.edges_of_line[index][0];
+    const Ends& ends = found_.edges[static_cast<std::size_t>(edge)].ends;
+    return {RationalAt(ends[0]), RationalAt(ends[1])};
+  }
+
+  /// The same of a line with an edge; null if it has none.
+  [[nodiscard]] const Ends* EndsOf(int line) const {
+    const auto& edges = found_.edges_of_line[static_cast<std::size_t>(line)];
+    if (edges.empty()) return nullptr;
+    return &found_.edges[static_cast<std::size_t>(edges[0])].ends;
   }
 
   /// Adds the plane of two different lines, if they lie in one.
   void AddPair(int i, int j) {
-    const auto& [a, b] = EndsOf(i);
-    const auto& [c, d] = EndsOf(j);
-    if (AreClearlySkew(At(a), At(b), At(c), At(d))) return;
-    const Vec3<Exact> along = Displacement<Exact>(At(a), At(b));
-    const Vec3<Exact> to_c = Displacement<Exact>(At(a), At(c));
-    const Vec3<Exact> to_d = Displacement<Exact>(At(a), At(d));
-    Vec3<Exact> normal = Cross(along, to_c);
-    if (SignOf(Dot(normal, to_d)) != Sign::kZero) return;
+    const Ends* first = EndsOf(i);
+    const Ends* second = EndsOf(j);
+    if (first != nullptr && second != nullptr) {
+      const auto& [a, b] = *first;
+      const auto& [c, d] = *second;
+      if (AreClearlySkew(At(a), At(b), At(c), At(d))) return;
+      const Vec3<Exact> along = Displacement<Exact>(At(a), At(b));
+      AddPlaneOf(along, Displacement<Exact>(At(a), At(c)),
+                 Displacement<Exact>(At(a), At(d)), RationalAt(a), {i, j});
+    } else {
+      const auto [a, b] = PointsOf(i);
+      const auto [c, d] = PointsOf(j);
+      AddPlaneOf<mpq_class>(b - a, c - a, d - a, a, {i, j});
+    }
+  }
+
+  /// Adds the plane through a point with two lines, one of which goes along
+  /// `along`, while the other one has two points, if there is one.
+  template <class NT>
+  void AddPlaneOf(const Vec3<NT>& along, const Vec3<NT>& to_c,
+                  const Vec3<NT>& to_d, const RationalVector& point,
+                  const std::array<int, 2>& lines) {
+    Vec3<NT> normal = Cross(along, to_c);
+    if (Dot(normal, to_d) != 0) return;
     // c may lie on the first line; d then does not.
-    if (IsZero(normal)) normal = Cross(along, to_d);
+    if (normal.x == 0 && normal.y == 0 && normal.z == 0)
+      normal = Cross(along, to_d);
     const PrimitiveVector n = WithoutSign(MakePrimitive(normal));
-    const Key key = {n, {Dot(RationalOf(n), truelux::RationalOf(At(a))), 0, 0}};
-    planes_[key].insert({i, j});
+    const Key key = {n, {Dot(RationalOf(n), point), 0, 0}};
+    planes_[key].insert(lines.begin(), lines.end());
   }
 
   /// Whether double arithmetic proves that four points lie in no plane: its
@@ -185,6 +247,7 @@ class Finder {
   const std::array<Point3, 3>& surface_;
   const StopFlag* stop_;  ///< may be null
   EdgePlanes found_;
+  std::map<Key, int> lines_;
   std::map<Key, std::set<int>> planes_;  ///< to the lines in them
 };
 

@@ -15,6 +15,7 @@
 #include "truelux/stop.h"
 
 #include "exact/primitive.h"
+#include "surface/face_cuts.h"
 
 namespace truelux {
 
@@ -24,20 +25,28 @@ struct SceneEdge {
   int line = 0;               ///< the same for edges on one line of space
 };
 
-/// A plane that holds edges of at least two lines: normal . p = offset.
+/// A segment in which an emitting face and another one pierce each other.
+struct SceneCut {
+  FaceCut ends;
+  int line = 0;  ///< as SceneEdge::line
+};
+
+/// A plane that holds edges or cuts of at least two lines: normal . p = offset.
 struct EdgePlane {
   PrimitiveVector normal;
   mpq_class offset;
   std::vector<int> lines;  ///< ascending
 };
 
-/// Planes with the edges that make them.
+/// Planes with the edges and the cuts that make them.
 struct EdgePlanes {
   std::vector<SceneEdge> edges;
+  std::vector<SceneCut> cuts;
   std::vector<std::vector<int>> edges_of_line;  ///< indices into `edges`
+  std::vector<std::vector<int>> cuts_of_line;   ///< indices into `cuts`
   std::vector<EdgePlane> planes;                ///< each once
   /// Whether all pairs of lines were looked at; else those of edges that meet
-  /// in a vertex.
+  /// in a vertex, and cuts were not looked for.
   bool is_complete = true;
 };
 
@@ -45,12 +54,13 @@ struct EdgePlanes {
 inline constexpr std::size_t kMostEdgeLines = 1024;
 
 /// A kink of irradiance on a flat surface lies in one of these planes
-/// [docs/derivatives.md, "Kinks"], if no faces pierce each other: the planes
-/// of faces, and those of two edges that meet, are parallel, or happen to be in
-/// one plane. Everything is decided exactly.
+/// [docs/derivatives.md, "Kinks"]: the planes of faces, and those of two lines
+/// that meet, are parallel, or happen to be in one plane. Lines are those of
+/// edges, and those where emitting faces are pierced: where others are, all is
+/// dark. Everything is decided exactly.
 ///
-/// surface: three corners in the plane of the surface. Edges that lie in that
-/// plane are left out, since what is on a receiver's horizon has no weight.
+/// surface: three corners in the plane of the surface. Edges and cuts that lie in
+/// that plane are left out, since what is on a receiver's horizon has no weight.
 /// most_lines: with more lines pairs are only looked for at vertices. stop: may be
 /// null. Throws Stopped.
 [[nodiscard]] EdgePlanes EdgePlanesOf(const Scene& scene,

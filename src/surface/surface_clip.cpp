@@ -62,8 +62,8 @@ SurfaceClip::SurfaceClip(const Scene& scene, const SurfaceFrame& frame,
                static_cast<std::size_t>(facet.triangle_count))) {
         auto& corners = triangles_.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) {
-          corners[k] = frame.Of(scene.vertices()[static_cast<std::size_t>(
-              triangle.vertices[k])]);
+          corners[k] = frame.Of(
+              scene.vertices()[static_cast<std::size_t>(triangle.vertices[k])]);
         }
       }
     }
@@ -86,8 +86,8 @@ std::vector<ExactSegment> SurfaceClip::PartsOf(
   std::vector<ExactSegment> parts;
   const auto add = [&](const Span& span) {
     const RationalVector way = segment.to - segment.from;
-    parts.push_back({segment.from + span.first * way,
-                     segment.from + span.second * way});
+    parts.push_back(
+        {segment.from + span.first * way, segment.from + span.second * way});
   };
   std::optional<Span> open;
   for (const Span& span : spans) {

@@ -38,6 +38,7 @@ struct SurfaceFrame {
   };
 
   [[nodiscard]] Coordinates Of(const RationalVector& p) const;
+
   [[nodiscard]] Coordinates Of(const Point3& p) const {
     return Of(RationalOf(p));
   }

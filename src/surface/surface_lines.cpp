@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/stop.h"
+#include "surface/kink_pieces.h"
 #include "surface/surface_clip.h"
 
 namespace truelux {
@@ -108,10 +109,10 @@ std::vector<ExactSurfaceLine> JumpLinesOf(const Scene& scene,
     for (ExactSegment& part : clip.PartsOf({feet[0], feet[1]})) {
       const auto same = std::ranges::find_if(
           found, [&](const auto& f) { return IsSame(f.first, part); });
-      auto& entry = same != found.end()
-                        ? *same
-                        : found.emplace_back(std::move(part),
-                                             std::vector<int>());
+      auto& entry =
+          same != found.end()
+              ? *same
+              : found.emplace_back(std::move(part), std::vector<int>());
       if (std::ranges::find(entry.second, facet.face + 1) ==
           entry.second.end()) {
         entry.second.push_back(facet.face + 1);
@@ -143,8 +144,15 @@ ExactSurfaceLines SurfaceLinesOf(const Scene& scene, const SurfaceFrame& frame,
     for (const ExactSegment& trace :
          clip.TraceOf(RationalOf(plane.normal), plane.offset)) {
       for (const ExactSegment& part : clip.PartsOf(trace)) {
-        // KINKS
-        (void)part;
+        for (KinkPiece& kink : KinkPiecesOf(scene, frame, planes, i, part.from,
+                                            part.to, is_reverse, stop)) {
+          ExactSurfaceLine& line = all.lines.emplace_back();
+          line.from = std::move(kink.from);
+          line.to = std::move(kink.to);
+          line.size = kink.size;
+          line.faces = std::move(kink.faces);
+          line.edges = std::move(kink.edges);
+        }
       }
     }
   }

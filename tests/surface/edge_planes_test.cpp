@@ -97,5 +97,42 @@ TEST(EdgePlanes, ManyLinesArePairedAtVertices) {
   EXPECT_EQ(y->lines.size(), 4U);
 }
 
+// A lamp in z = 4 that a wall through x = 2 pierces, and a face with an edge in
+// x = 1, z = 2.
+Scene PiercedLamp(const std::string& emission) {
+  return SceneFromText(
+      "v -5 -1 4\nv -5 3 4\nv 5 3 4\nv 5 -1 4\nv 1 0 3\nv 1 1 3\nv 3 1 5\n"
+      "v 3 0 5\nv 1 0 2\nv 1 1 2\nv 0 1 1\n"
+      "usemtl m\nf 1 2 3 4\nusemtl black\nf 5 6 7 8\nf 9 10 11\n",
+      "newmtl m\nKe " + emission + "\nnewmtl black\nKe 0 0 0\n");
+}
+
+TEST(EdgePlanes, ALineWhereALampIsPiercedIsOne) {
+  const EdgePlanes found = EdgePlanesOf(PiercedLamp("1 2 3"), kFloor);
+  ASSERT_FALSE(found.cuts.empty());
+  for (const SceneCut& cut : found.cuts) {
+    EXPECT_EQ(cut.line, found.cuts[0].line);
+    for (const RationalVector& end : cut.ends) {
+      EXPECT_EQ(end.x, 2);
+      EXPECT_EQ(end.z, 4);
+    }
+  }
+  const auto line = static_cast<std::size_t>(found.cuts[0].line);
+  EXPECT_EQ(found.cuts_of_line[line].size(), found.cuts.size());
+  EXPECT_TRUE(found.edges_of_line[line].empty());
+  EXPECT_TRUE(HasPlane(found, {2, 0, -1}, 0));
+  const EdgePlanes dark = EdgePlanesOf(PiercedLamp("0 0 0"), kFloor);
+  EXPECT_TRUE(dark.cuts.empty());
+  EXPECT_FALSE(HasPlane(dark, {2, 0, -1}, 0));
+}
+
+TEST(EdgePlanes, AFaceThatStandsOnALampCutsNothing) {
+  const Scene scene = SceneFromText(
+      "v -5 -1 4\nv -5 3 4\nv 5 3 4\nv 5 -1 4\nv 1 0 4\nv 1 1 4\nv 3 1 2\n"
+      "usemtl m\nf 1 2 3 4\nusemtl black\nf 5 6 7\n",
+      "newmtl m\nKe 1 1 1\nnewmtl black\nKe 0 0 0\n");
+  EXPECT_TRUE(EdgePlanesOf(scene, kFloor).cuts.empty());
+}
+
 }  // namespace
 }  // namespace truelux

@@ -17,7 +17,9 @@ Occluder::Occluder(const Blocker& blocker, std::span<const PlanPoint> corners,
   }
   for (const PlanPoint& p : corners) {
     const double height = blocker.plane.HeightOf(p);
-    is_usable_ = is_usable_ && std::fabs(height) > slack;
+    const bool is_same_side =
+        (height > 0) == (blocker.plane.HeightOf(corners[0]) > 0);
+    is_usable_ = is_usable_ && is_same_side && std::fabs(height) > slack;
     Cone& cone = cones_.emplace_back();
     cone.apex = {p.s, p.t, 0};
     for (std::size_t i = 0; i < blocker.corners.size(); ++i) {

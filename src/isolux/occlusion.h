@@ -4,8 +4,8 @@
 // A point x is hidden from r if the ray from r through x meets the blocker: then
 // no light comes from r's direction to x, whether the blocker is nearer than x
 // or farther. For a fixed x, or for a fixed r, rays from the hull of some points
-// meet the blocker's plane in the hull of where those from the points do. So a
-// blocker that is met from every corner of the part, and towards both ends of a
+// meet the blocker's plane in the hull of where those from the points do, if all
+// points are on one side of it. So a blocker that is met from every corner of the part, and towards both ends of a
 // segment, is met from everywhere towards all of it.
 
 #ifndef TRUELUX_ISOLUX_OCCLUSION_H_
@@ -33,7 +33,7 @@ class Occluder {
   Occluder(const Blocker& blocker, std::span<const PlanPoint> corners,
            double slack);
 
-  /// Whether it hides anything: no corner lies in its plane.
+  /// Whether it can tell: all corners are on one side of the blocker's plane.
   [[nodiscard]] bool IsUsable() const { return is_usable_; }
 
   /// The part of a segment, within `part`, that is hidden from all corners;

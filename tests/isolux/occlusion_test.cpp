@@ -18,18 +18,14 @@ using testing::PortableRandom;
 /// Whether the ray from r through x meets a triangle.
 bool Meets(const Blocker& triangle, const Vec3<double>& r,
            const Vec3<double>& x) {
+  // d is a sum of the ways to the corners, with shares that are positive.
   const Vec3<double> d = x - r;
-  int above = 0;
-  int below = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double side = Determinant(triangle.corners[i] - r,
-                                    triangle.corners[(i + 1) % 3] - r, d);
-    above += side > 0 ? 1 : 0;
-    below += side < 0 ? 1 : 0;
-  }
-  const double toward = Dot(d, triangle.corners[0] + triangle.corners[1] +
-                                   triangle.corners[2] - 3.0 * r);
-  return (above == 3 || below == 3) && toward > 0;
+  const Vec3<double> a = triangle.corners[0] - r;
+  const Vec3<double> b = triangle.corners[1] - r;
+  const Vec3<double> c = triangle.corners[2] - r;
+  const double whole = Determinant(a, b, c);
+  return Determinant(d, b, c) / whole > 0 && Determinant(a, d, c) / whole > 0 &&
+         Determinant(a, b, d) / whole > 0;
 }
 
 TEST(Occlusion, WhatIsHiddenIsHiddenFromEverywhere) {

@@ -150,7 +150,7 @@ struct Isolux {
   double size = 0;       ///< longer side of the surface's extent [length]
   double area = 0;       ///< [length^2]
   double open_area = 0;  ///< of `open`
-  double dark_area = 0;  ///< where no source is seen, E = 0
+  double dark_area = 0;  ///< at least so much has E = 0, proven
   double least = 0;      ///< the least E that was met [W/m^2]
   double most = 0;       ///< the largest
   std::uint64_t search_evaluations = 0;  ///< to settle what is where

@@ -15,187 +15,269 @@
 namespace truelux {
 namespace {
 
-/// A side of the mesh that a contour crosses.
-struct SideCrossing {
-  int triangle = 0;
+/// A side of the mesh, with the levels that are passed along it.
+struct CrossedSide {
+  int triangle = 0;  ///< one that has it
   std::size_t side = 0;
-  ContourPoint point;
+  std::size_t first_level = 0;
+  std::size_t first_point = 0;  ///< that of the first level; others follow
+  std::size_t count = 0;
 };
 
-/// A contour within a triangle, from one crossing to another.
+/// A contour within a triangle, from point to point.
 struct Link {
-  int triangle = 0;
-  std::size_t from = 0;  ///< crossings; what is larger is on the left
+  std::size_t level = 0;
+  std::size_t from = 0;  ///< what is larger is on the left
   std::size_t to = 0;
   ContourPiece piece;
 };
 
-/// The contours of one level.
-class LevelTracer {
+/// The contours in one triangle, by levels.
+struct CrossedTriangle {
+  int triangle = 0;
+  std::vector<Link> links;
+};
+
+/// Twice the area of three points.
+double Turn(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) {
+  return Cross(b - a, c - a);
+}
+
+bool DoCross(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c,
+             const PlanPoint& d) {
+  return Turn(a, b, c) * Turn(a, b, d) < 0 && Turn(c, d, a) * Turn(c, d, b) < 0;
+}
+
+class Tracer {
  public:
-  LevelTracer(const LightProbe& probe, const LightFeatures& features,
-              const LevelSearch& search, double level,
-              const ContourWishes& wishes)
+  Tracer(const LightProbe& probe, const LightFeatures& features,
+         const LevelSearch& search, std::span<const double> levels,
+         const ContourWishes& wishes)
       : probe_(probe),
         features_(features),
         search_(search),
         mesh_(search.mesh()),
-        level_(level),
+        levels_(levels),
         finder_(probe, wishes.half_width),
-        divider_(probe, features, finder_, wishes.chord) {}
+        chord_(wishes.chord) {}
 
   /// Finds which sides are crossed.
   void FindLinks() {
     for (std::size_t i = 0; i < mesh_.triangles().size(); ++i) {
-      const auto triangle = static_cast<int>(i);
-      const PlanTriangle& t = mesh_.At(triangle);
-      std::array<bool, 3> is_above;
-      for (std::size_t k = 0; k < 3; ++k)
-        is_above[k] = IsAbove(t.corners[k]);
-      for (std::size_t k = 0; k < 3; ++k) {
-        // The corner that differs from both others.
-        const std::size_t next = (k + 1) % 3;
-        const std::size_t last = (k + 2) % 3;
-        if (is_above[k] == is_above[next] || is_above[k] == is_above[last])
-          continue;
-        // Sides opposite to `last` (k to next) and to `next` (last to k). Going
-        // from the former to the latter has corner k on the left.
-        std::size_t from = NameOf(triangle, last);
-        std::size_t to = NameOf(triangle, next);
-        if (!is_above[k]) std::swap(from, to);
-        links_.push_back({triangle, from, to, {}});
-      }
+      CrossedTriangle crossed;
+      crossed.triangle = static_cast<int>(i);
+      for (std::size_t level = 0; level < levels_.size(); ++level)
+        AddLink(level, crossed);
+      if (!crossed.links.empty()) triangles_.push_back(std::move(crossed));
     }
+    points_.resize(point_count_);
   }
 
-  [[nodiscard]] std::size_t crossing_count() const { return crossings_.size(); }
+  [[nodiscard]] std::size_t side_count() const { return sides_.size(); }
 
-  [[nodiscard]] std::size_t link_count() const { return links_.size(); }
+  [[nodiscard]] std::size_t triangle_count() const { return triangles_.size(); }
 
-  void FindPoint(std::size_t i) {
-    SideCrossing& found = crossings_[i];
+  /// The points of all levels on a side. The bracket of each begins at the one
+  /// before, so that they are in order also where E is not monotonic.
+  void FindPoints(std::size_t i) {
+    const CrossedSide& found = sides_[i];
     const PlanTriangle& t = mesh_.At(found.triangle);
     int p = t.corners[(found.side + 1) % 3];
     int q = t.corners[(found.side + 2) % 3];
-    if (IsAbove(p)) std::swap(p, q);
-    const auto at = [this](int point) {
-      return mesh_.points()[static_cast<std::size_t>(point)];
-    };
-    const auto value = [this](int point) {
-      return search_.values()[static_cast<std::size_t>(point)];
-    };
+    if (ValueAt(q).value < ValueAt(p).value) std::swap(p, q);
     const KnownTriangle& known =
         search_.known()[static_cast<std::size_t>(found.triangle)];
-    Crossing crossing{at(p),
-                      at(q),
-                      value(p),
-                      value(q),
+    Crossing crossing{mesh_.points()[static_cast<std::size_t>(p)],
+                      mesh_.points()[static_cast<std::size_t>(q)],
+                      ValueAt(p),
+                      ValueAt(q),
                       mesh_.CentreOf(found.triangle),
                       known.centre.gradient,
                       t.kinds[found.side]};
     const std::array<int, 2> beside = {found.triangle, t.neighbors[found.side]};
-    found.point =
-        finder_.OnCrossing(crossing, level_, [&](const PlanPoint& point) {
-          return std::ranges::any_of(beside, [&](int triangle) {
-            return triangle >= 0 && Holds(triangle, point);
-          });
-        });
+    const auto in_region = [&](const PlanPoint& point) {
+      return std::ranges::any_of(beside, [&](int triangle) {
+        return triangle >= 0 && Holds(triangle, point);
+      });
+    };
+    for (std::size_t k = 0; k < found.count; ++k) {
+      ContourPoint& point = points_[found.first_point + k];
+      const double level = levels_[found.first_level + k];
+      point = finder_.OnCrossing(crossing, level, in_region);
+      crossing.below = point.at;
+      crossing.at_below = {level, 0};
+    }
   }
 
-  void DivideLink(std::size_t i) {
-    Link& link = links_[i];
-    const KnownTriangle& known =
-        search_.known()[static_cast<std::size_t>(link.triangle)];
-    ChordRegion region;
-    const auto corners = mesh_.CornersOf(link.triangle);
-    region.corners.assign(corners.begin(), corners.end());
-    region.sample = known.centre;
-    region.at = mesh_.CentreOf(link.triangle);
-    // Where the level is not settled more than one arc may be there.
-    region.change = known.is_settled ? known.change : kUnknownChange;
-    region.sight = known.sight;
-    const ContourPoint& from = crossings_[link.from].point;
-    const ContourPoint& to = crossings_[link.to].point;
-    if (!known.is_settled || !from.is_certified || !to.is_certified) {
-      link.piece.widths = {HUGE_VAL};
-      return;
+  /// Divides the chords of a triangle, more finely while two of them cross.
+  void DivideLinks(std::size_t i) {
+    CrossedTriangle& crossed = triangles_[i];
+    double longest = chord_;
+    constexpr int kMostRounds = 6;
+    for (int round = 0; round < kMostRounds; ++round) {
+      const ChordDivider divider(probe_, features_, finder_, longest);
+      for (Link& link : crossed.links)
+        Divide(crossed.triangle, divider, link);
+      if (!HasCrossing(crossed)) return;
+      longest /= 4;
     }
-    link.piece = divider_.Divide(region, from, to, level_);
   }
 
   /// Puts links together.
   [[nodiscard]] std::vector<ContourLine> Lines() const {
-    std::vector<int> out(crossings_.size(), -1);
-    std::vector<bool> has_in(crossings_.size(), false);
-    for (std::size_t i = 0; i < links_.size(); ++i) {
-      out[links_[i].from] = static_cast<int>(i);
-      has_in[links_[i].to] = true;
+    std::vector<const Link*> out(points_.size(), nullptr);
+    std::vector<bool> has_in(points_.size(), false);
+    std::vector<std::vector<std::size_t>> of_level(levels_.size());
+    for (const CrossedTriangle& crossed : triangles_) {
+      for (const Link& link : crossed.links) {
+        out[link.from] = &link;
+        has_in[link.to] = true;
+        of_level[link.level].push_back(link.from);
+      }
     }
     std::vector<ContourLine> lines;
-    std::vector<bool> is_used(links_.size(), false);
-    const auto follow = [&](std::size_t first) {
-      ContourLine line;
-      std::size_t at = first;
-      line.points.push_back(crossings_[at].point);
-      while (out[at] >= 0 && !is_used[static_cast<std::size_t>(out[at])]) {
-        const auto next = static_cast<std::size_t>(out[at]);
-        is_used[next] = true;
-        const Link& link = links_[next];
-        for (const ContourPoint& point : link.piece.points)
-          line.points.push_back(point);
-        line.widths.insert(line.widths.end(), link.piece.widths.begin(),
-                           link.piece.widths.end());
-        at = link.to;
-        if (at == first) {
-          line.is_closed = true;
-          break;
+    std::vector<bool> is_used(points_.size(), false);
+    for (std::size_t level = 0; level < levels_.size(); ++level) {
+      // Open ones begin where nothing comes in; the rest is closed.
+      for (const bool is_open : {true, false}) {
+        for (const std::size_t first : of_level[level]) {
+          if (is_used[first] || (is_open && has_in[first])) continue;
+          lines.push_back(Follow(first, out, is_used));
+          lines.back().level = level;
         }
-        line.points.push_back(crossings_[at].point);
       }
-      lines.push_back(std::move(line));
-    };
-    for (std::size_t i = 0; i < crossings_.size(); ++i) {
-      if (!has_in[i]) follow(i);
-    }
-    for (std::size_t i = 0; i < links_.size(); ++i) {
-      if (!is_used[i]) follow(links_[i].from);
     }
     return lines;
   }
 
  private:
-  /// Whether E at a point of the mesh counts as above the level.
-  [[nodiscard]] bool IsAbove(int point) const {
-    return search_.values()[static_cast<std::size_t>(point)].value >= level_;
+  [[nodiscard]] const LightValue& ValueAt(int point) const {
+    return search_.values()[static_cast<std::size_t>(point)];
   }
 
   [[nodiscard]] bool Holds(int triangle, const PlanPoint& point) const {
     const auto c = mesh_.CornersOf(triangle);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (Cross(c[(k + 1) % 3] - c[k], point - c[k]) < 0) return false;
+      if (Turn(c[k], c[(k + 1) % 3], point) < 0) return false;
     }
     return true;
   }
 
-  std::size_t NameOf(int triangle, std::size_t side) {
+  void AddLink(std::size_t level, CrossedTriangle& crossed) {
+    const PlanTriangle& t = mesh_.At(crossed.triangle);
+    std::array<bool, 3> is_above;
+    for (std::size_t k = 0; k < 3; ++k)
+      is_above[k] = ValueAt(t.corners[k]).value >= levels_[level];
+    for (std::size_t k = 0; k < 3; ++k) {
+      // The corner that differs from both others.
+      const std::size_t next = (k + 1) % 3;
+      const std::size_t last = (k + 2) % 3;
+      if (is_above[k] == is_above[next] || is_above[k] == is_above[last])
+        continue;
+      // Going from the side opposite to `last`, which runs from k to next, to
+      // that opposite to `next` has corner k on the left.
+      Link link;
+      link.level = level;
+      link.from = PointOn(crossed.triangle, last, level);
+      link.to = PointOn(crossed.triangle, next, level);
+      if (!is_above[k]) std::swap(link.from, link.to);
+      crossed.links.push_back(std::move(link));
+    }
+  }
+
+  /// The index of the point of a level on a side.
+  std::size_t PointOn(int triangle, std::size_t side, std::size_t level) {
     const PlanTriangle& t = mesh_.At(triangle);
     const std::pair<int, int> ends =
         std::minmax(t.corners[(side + 1) % 3], t.corners[(side + 2) % 3]);
-    const auto [entry, is_new] = names_.emplace(ends, crossings_.size());
-    if (is_new) crossings_.push_back({triangle, side, {}});
-    return entry->second;
+    const auto [entry, is_new] = names_.emplace(ends, sides_.size());
+    if (is_new) {
+      const auto [low, high] =
+          std::minmax(ValueAt(ends.first).value, ValueAt(ends.second).value);
+      // Passed are those above the lower end and not above the higher one.
+      const auto first = std::ranges::upper_bound(levels_, low);
+      const auto end = std::ranges::upper_bound(levels_, high);
+      CrossedSide found{triangle, side,
+                        static_cast<std::size_t>(first - levels_.begin()),
+                        point_count_, static_cast<std::size_t>(end - first)};
+      point_count_ += found.count;
+      sides_.push_back(found);
+    }
+    const CrossedSide& found = sides_[entry->second];
+    return found.first_point + level - found.first_level;
+  }
+
+  void Divide(int triangle, const ChordDivider& divider, Link& link) const {
+    const KnownTriangle& known =
+        search_.known()[static_cast<std::size_t>(triangle)];
+    const ContourPoint& from = points_[link.from];
+    const ContourPoint& to = points_[link.to];
+    link.piece = {{}, {HUGE_VAL}};
+    // Elsewhere more than one arc may be there.
+    if (!known.is_settled || !from.is_certified || !to.is_certified) return;
+    ChordRegion region;
+    const auto corners = mesh_.CornersOf(triangle);
+    region.corners.assign(corners.begin(), corners.end());
+    region.sample = known.centre;
+    region.at = mesh_.CentreOf(triangle);
+    region.change = known.change;
+    region.sight = known.sight;
+    link.piece = divider.Divide(region, from, to, levels_[link.level]);
+  }
+
+  [[nodiscard]] std::vector<PlanPoint> PathOf(const Link& link) const {
+    std::vector<PlanPoint> path = {points_[link.from].at};
+    for (const ContourPoint& point : link.piece.points)
+      path.push_back(point.at);
+    path.push_back(points_[link.to].at);
+    return path;
+  }
+
+  [[nodiscard]] bool HasCrossing(const CrossedTriangle& crossed) const {
+    for (std::size_t i = 1; i < crossed.links.size(); ++i) {
+      const auto one = PathOf(crossed.links[i - 1]);
+      const auto other = PathOf(crossed.links[i]);
+      for (std::size_t k = 1; k < one.size(); ++k) {
+        for (std::size_t m = 1; m < other.size(); ++m) {
+          if (DoCross(one[k - 1], one[k], other[m - 1], other[m])) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] ContourLine Follow(std::size_t first,
+                                   const std::vector<const Link*>& out,
+                                   std::vector<bool>& is_used) const {
+    ContourLine line;
+    std::size_t at = first;
+    line.points.push_back(points_[at]);
+    while (out[at] != nullptr && !is_used[at]) {
+      is_used[at] = true;
+      const Link& link = *out[at];
+      line.points.insert(line.points.end(), link.piece.points.begin(),
+                         link.piece.points.end());
+      line.widths.insert(line.widths.end(), link.piece.widths.begin(),
+                         link.piece.widths.end());
+      at = link.to;
+      line.is_closed = at == first;
+      if (!line.is_closed) line.points.push_back(points_[at]);
+    }
+    return line;
   }
 
   const LightProbe& probe_;
   const LightFeatures& features_;
   const LevelSearch& search_;
   const PlanMesh& mesh_;
-  double level_;
+  std::span<const double> levels_;
   ContourPointFinder finder_;
-  ChordDivider divider_;
-  std::map<std::pair<int, int>, std::size_t> names_;  ///< of crossings
-  std::vector<SideCrossing> crossings_;
-  std::vector<Link> links_;
+  double chord_;
+  std::map<std::pair<int, int>, std::size_t> names_;  ///< of sides
+  std::vector<CrossedSide> sides_;
+  std::size_t point_count_ = 0;
+  std::vector<ContourPoint> points_;
+  std::vector<CrossedTriangle> triangles_;
 };
 
 }  // namespace
@@ -206,26 +288,17 @@ std::vector<ContourLine> ContourLinesOf(const LightProbe& probe,
                                         std::span<const double> levels,
                                         const ContourWishes& wishes,
                                         int threads, const Watch& watch) {
-  std::vector<ContourLine> all;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    LevelTracer tracer(probe, features, search, levels[i], wishes);
-    tracer.FindLinks();
-    {
-      Progress progress(tracer.crossing_count(), "points of contours", watch);
-      ForEachInParallel(tracer.crossing_count(), threads, progress,
-                        [&](std::size_t k) { tracer.FindPoint(k); });
-    }
-    {
-      Progress progress(tracer.link_count(), "chords", watch);
-      ForEachInParallel(tracer.link_count(), threads, progress,
-                        [&](std::size_t k) { tracer.DivideLink(k); });
-    }
-    for (ContourLine& line : tracer.Lines()) {
-      line.level = i;
-      all.push_back(std::move(line));
-    }
+  Tracer tracer(probe, features, search, levels, wishes);
+  tracer.FindLinks();
+  {
+    Progress progress(tracer.side_count(), "sides", watch);
+    ForEachInParallel(tracer.side_count(), threads, progress,
+                      [&](std::size_t i) { tracer.FindPoints(i); });
   }
-  return all;
+  Progress progress(tracer.triangle_count(), "triangles with contours", watch);
+  ForEachInParallel(tracer.triangle_count(), threads, progress,
+                    [&](std::size_t i) { tracer.DivideLinks(i); });
+  return tracer.Lines();
 }
 
 }  // namespace truelux

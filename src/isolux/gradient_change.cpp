@@ -75,7 +75,7 @@ class BoundFinder {
     const double scale = lamp_->exitance / std::numbers::pi;
     FindNormals(sight);
     double jump = 0;
-    for (std::size_t i = 0; i < sight.edges.size(); ++i) {
+    for (std::size_t i = sight.lamp_edges; i < sight.edges.size(); ++i) {
       for (std::size_t k = 0; k < i; ++k) {
         jump += scale * PairJump(sight, i, k);
       }

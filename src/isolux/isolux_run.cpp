@@ -243,7 +243,7 @@ class IsoluxFinder {
       const KnownTriangle& known = own.search.known()[i];
       const double area = mesh.AreaOf(triangle);
       result_.area += area;
-      if (known.is_known && known.sight->empty()) result_.dark_area += area;
+      if (known.is_dark) result_.dark_area += area;
       if (known.is_settled || result_.levels.empty()) continue;
       result_.open_area += area;
       OpenTriangle& open = result_.open.emplace_back();

@@ -104,6 +104,16 @@ void LevelSearch::Know(int triangle, std::span<const double> levels) {
   }
   known.sight =
       std::make_shared<const Sight>(Narrowed(features_, *known.sight, corners));
+  known.is_dark = known.centre.light.value == 0 &&
+                  known.centre.light.bound == 0 &&
+                  std::ranges::all_of(*known.sight, [](const LampSight& lamp) {
+                    return lamp.edges.empty();
+                  });
+  if (known.is_dark) {
+    known.change = {0, 0};
+    known.is_settled = true;
+    return;
+  }
   // What would be too much for the level that asks for least.
   const double slope = LengthOf(known.centre.gradient);
   double useful = HUGE_VAL;

@@ -31,6 +31,7 @@ struct KnownTriangle {
   std::shared_ptr<const Sight> sight;
   bool is_known = false;    ///< whether the above is there
   bool is_settled = false;  ///< whether every level is settled in it
+  bool is_dark = false;     ///< whether E is proven to be 0 all over it
 };
 
 /// When the search ends.

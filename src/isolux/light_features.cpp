@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "isolux/line_cover.h"
@@ -61,6 +62,45 @@ LightPlane PlaneOf(const Scene& scene, const PlanFrame& frame, int facet) {
   return plane;
 }
 
+Vec3<double> UnitOf(const Vec3<double>& v) {
+  return (1 / std::sqrt(Dot(v, v))) * v;
+}
+
+/// A few points whose hull holds all points of a plane: they themselves, each
+/// once, or the corners of a rectangle around them.
+std::vector<Vec3<double>> HullOf(const Vec3<double>& normal,
+                                 std::vector<Vec3<double>> points) {
+  constexpr std::size_t kMostPoints = 8;
+  const auto name = [](const Vec3<double>& p) {
+    return std::tie(p.x, p.y, p.z);
+  };
+  std::ranges::sort(points, [&](const Vec3<double>& a, const Vec3<double>& b) {
+    return name(a) < name(b);
+  });
+  const auto rest = std::ranges::unique(
+      points, [&](const Vec3<double>& a, const Vec3<double>& b) {
+        return name(a) == name(b);
+      });
+  points.erase(rest.begin(), rest.end());
+  if (points.size() <= kMostPoints) return points;
+  const Vec3<double> axis =
+      std::fabs(normal.x) < 0.5 ? Vec3<double>{1, 0, 0} : Vec3<double>{0, 1, 0};
+  const Vec3<double> u = UnitOf(axis - Dot(axis, normal) * normal);
+  const Vec3<double> v = Cross(normal, u);
+  std::array<double, 2> least = {HUGE_VAL, HUGE_VAL};
+  std::array<double, 2> most = {-HUGE_VAL, -HUGE_VAL};
+  for (const Vec3<double>& p : points) {
+    const std::array<double, 2> at = {Dot(p, u), Dot(p, v)};
+    for (std::size_t k = 0; k < 2; ++k) {
+      least[k] = std::min(least[k], at[k]);
+      most[k] = std::max(most[k], at[k]);
+    }
+  }
+  const Vec3<double> base = Dot(points[0], normal) * normal;
+  return {base + least[0] * u + least[1] * v, base + most[0] * u + least[1] * v,
+          base + most[0] * u + most[1] * v, base + least[0] * u + most[1] * v};
+}
+
 /// The point of a segment at height 0. The heights of its ends differ in sign.
 Vec3<double> FootOf(const Vec3<double>& low, const Vec3<double>& high) {
   const double share = -low.z / (high.z - low.z);
@@ -108,7 +148,9 @@ void LightFeatures::AddLamps(const Scene& scene, const PlanFrame& frame,
       lamp.hull.insert(lamp.hull.end(), corners.begin(), corners.end());
       lamp.triangles.push_back(corners);
     }
-    if (!lamp.triangles.empty()) lamps_.push_back(std::move(lamp));
+    if (lamp.triangles.empty()) continue;
+    lamp.hull = HullOf(lamp.plane.normal, std::move(lamp.hull));
+    lamps_.push_back(std::move(lamp));
   }
 }
 

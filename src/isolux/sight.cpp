@@ -119,18 +119,19 @@ Range HeightsOver(const LightPlane& plane, std::span<const PlanPoint> points) {
 }
 
 /// Whether facets meet at the edge, as seen from all the points, on both its
-/// sides, and neither is the lamp.
-bool IsFold(const LightEdge& edge, const LightPlane& lamp,
-            std::span<const PlanPoint> points, double slack) {
+/// sides.
+bool IsFold(const LightEdge& edge, std::span<const PlanPoint> points,
+            double slack) {
   if (!edge.has_two_facets) return false;
-  if (std::fabs(lamp.HeightOf(edge.ends[0])) <= slack &&
-      std::fabs(lamp.HeightOf(edge.ends[1])) <= slack) {
-    return false;
-  }
   const Range one = HeightsOver(edge.planes[0], points);
   const Range other = HeightsOver(edge.planes[1], points);
   return (one.least >= -slack && other.least >= -slack) ||
          (one.most <= slack && other.most <= slack);
+}
+
+bool LiesIn(const LightPlane& plane, const LightEdge& edge, double slack) {
+  return std::fabs(plane.HeightOf(edge.ends[0])) <= slack &&
+         std::fabs(plane.HeightOf(edge.ends[1])) <= slack;
 }
 
 /// Whether all of a blocker is before a lamp: then it hides the lamp wherever a
@@ -210,16 +211,24 @@ Sight Narrowed(const LightFeatures& features, const Sight& sight,
       continue;
     }
     const LightPlane behind{-lamp.plane.normal, -lamp.plane.offset};
+    std::vector<SightEdge> before;
     for (SightEdge part : old.edges) {
       const LightEdge& edge =
           features.edges()[static_cast<std::size_t>(part.edge)];
-      if (IsFold(edge, lamp.plane, points, slack)) continue;
+      const bool is_lamps = LiesIn(lamp.plane, edge, slack);
+      if (!is_lamps && IsFold(edge, points, slack)) continue;
       if (!ShaftPlanes::ClipBy(behind, edge, part, slack)) continue;
       if (!ShaftPlanes::ClipBy(lamp.plane, edge, part, heights.most + slack))
         continue;
       if (!shaft.Clip(edge, part)) continue;
-      AddSeen(edge, part, occluders, kept.edges);
+      AddSeen(edge, part, occluders, is_lamps ? kept.edges : before);
     }
+    kept.lamp_edges = kept.edges.size();
+    if (before.empty()) {
+      kept.edges.clear();
+      kept.lamp_edges = 0;
+    }
+    kept.edges.insert(kept.edges.end(), before.begin(), before.end());
     narrowed.push_back(std::move(kept));
   }
   return narrowed;

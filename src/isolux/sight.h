@@ -4,6 +4,7 @@
 #ifndef TRUELUX_ISOLUX_SIGHT_H_
 #define TRUELUX_ISOLUX_SIGHT_H_
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,12 @@ struct SightEdge {
 /// A lamp with the edges in its shaft: the hull of the lamp and the part.
 struct LampSight {
   int lamp = 0;  ///< index into LightFeatures::lamps()
+  /// First those in the lamp's plane, which sweep nothing and end what others
+  /// sweep. None if there are no others: then all of the lamp is seen, or
+  /// nothing, from all points alike.
   std::vector<SightEdge> edges;
-  std::vector<int> blockers;  ///< indices into LightFeatures::blockers()
+  std::size_t lamp_edges = 0;  ///< how many these are
+  std::vector<int> blockers;   ///< indices into LightFeatures::blockers()
 };
 
 using Sight = std::vector<LampSight>;

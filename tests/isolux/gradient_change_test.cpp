@@ -2,6 +2,8 @@
 // No gradient in a triangle differs from that at its centre by more than the
 // bound, whatever stands before the lamps; and the bound is not idle.
 
+#include "isolux/gradient_change.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,7 +11,6 @@
 
 #include <gtest/gtest.h>
 
-#include "isolux/gradient_change.h"
 #include "isolux/lit_floor.h"
 #include "isolux/sight.h"
 #include "support/portable_random.h"
@@ -25,7 +26,7 @@ struct Tally {
   int triangles = 0;  ///< with a finite bound
   int unbounded = 0;
   int points = 0;
-  int with_jump = 0;    ///< triangles with seen ends of edges
+  int with_jump = 0;  ///< triangles with seen ends of edges
   int without_edges = 0;
   double closest = 0;  ///< the largest change by its bound
 };
@@ -43,8 +44,8 @@ void CheckFloor(const LitFloor& floor, double longest, PortableRandom& random,
     const PlanPoint centre = mesh.CentreOf(triangle);
     const Sight sight =
         Narrowed(floor.features(), WholeSight(floor.features()), corners);
-    const GradientChange change = GradientChangeOver(
-        floor.features(), sight, corners, centre, HUGE_VAL);
+    const GradientChange change =
+        GradientChangeOver(floor.features(), sight, corners, centre, HUGE_VAL);
     if (!std::isfinite(change.rate + change.jump)) {
       ++tally.unbounded;
       continue;
@@ -160,7 +161,8 @@ TEST(GradientChange, HoldsInRandomScenes) {
     std::vector<TestFace> faces;
     const bool lattice = random.OneIn(2);
     for (TestFace& face : RandomScene(random, lattice, 6, 3)) {
-      for (Point3& p : face.ring) p.z = random.OneIn(3) ? p.z : p.z + 3.5;
+      for (Point3& p : face.ring)
+        p.z = random.OneIn(3) ? p.z : p.z + 3.5;
       if (OnOneLine(face.ring[0], face.ring[1], face.ring[2])) continue;
       face.ring.resize(3);
       faces.push_back(face);

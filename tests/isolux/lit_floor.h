@@ -54,13 +54,21 @@ class LitFloor {
   }
 
   [[nodiscard]] const Oracle& oracle() const { return oracle_; }
+
   [[nodiscard]] const Scene& scene() const { return oracle_.scene(); }
+
   [[nodiscard]] const SurfaceFrame& frame() const { return frame_; }
+
   [[nodiscard]] const std::vector<int>& faces() const { return faces_; }
+
   [[nodiscard]] const PlanFrame& plan() const { return plan_; }
+
   [[nodiscard]] const ExactSurfaceLines& lines() const { return lines_; }
+
   [[nodiscard]] const FirstMesh& first() const { return first_; }
+
   [[nodiscard]] const LightFeatures& features() const { return features_; }
+
   [[nodiscard]] const LightProbe& probe() const { return probe_; }
 
   [[nodiscard]] LevelSearch Search() const {
@@ -91,10 +99,14 @@ class LitFloor {
 inline void AddBox(double x0, double x1, double y0, double y1, double z0,
                    double z1, std::vector<TestFace>& faces) {
   faces.push_back({Floor(x0, x1, y0, y1, z1), {}});
-  faces.push_back({{{x0, y0, z0}, {x1, y0, z0}, {x1, y0, z1}, {x0, y0, z1}}, {}});
-  faces.push_back({{{x1, y0, z0}, {x1, y1, z0}, {x1, y1, z1}, {x1, y0, z1}}, {}});
-  faces.push_back({{{x1, y1, z0}, {x0, y1, z0}, {x0, y1, z1}, {x1, y1, z1}}, {}});
-  faces.push_back({{{x0, y1, z0}, {x0, y0, z0}, {x0, y0, z1}, {x0, y1, z1}}, {}});
+  faces.push_back(
+      {{{x0, y0, z0}, {x1, y0, z0}, {x1, y0, z1}, {x0, y0, z1}}, {}});
+  faces.push_back(
+      {{{x1, y0, z0}, {x1, y1, z0}, {x1, y1, z1}, {x1, y0, z1}}, {}});
+  faces.push_back(
+      {{{x1, y1, z0}, {x0, y1, z0}, {x0, y1, z1}, {x1, y1, z1}}, {}});
+  faces.push_back(
+      {{{x0, y1, z0}, {x0, y0, z0}, {x0, y0, z1}, {x0, y1, z1}}, {}});
 }
 
 }  // namespace truelux::testing

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What counts as hidden is hidden from everywhere: rays say so.
 
+#include "isolux/occlusion.h"
+
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "isolux/occlusion.h"
 #include "support/portable_random.h"
 
 namespace truelux {
@@ -42,9 +43,8 @@ TEST(Occlusion, WhatIsHiddenIsHiddenFromEverywhere) {
     };
     Blocker blocker;
     blocker.corners = {place(), place(), place()};
-    Vec3<double> normal =
-        Cross(blocker.corners[1] - blocker.corners[0],
-              blocker.corners[2] - blocker.corners[0]);
+    Vec3<double> normal = Cross(blocker.corners[1] - blocker.corners[0],
+                                blocker.corners[2] - blocker.corners[0]);
     normal = (1 / std::sqrt(Dot(normal, normal))) * normal;
     blocker.plane = {normal, Dot(normal, blocker.corners[0])};
     const PlanPoint at = {random.Uniform(-1, 1), random.Uniform(-1, 1)};
@@ -66,7 +66,8 @@ TEST(Occlusion, WhatIsHiddenIsHiddenFromEverywhere) {
     };
     if (occluder.Hides(a)) {
       ++hidden_points;
-      for (int k = 0; k < 4; ++k) EXPECT_TRUE(Meets(blocker, from_inside(), a));
+      for (int k = 0; k < 4; ++k)
+        EXPECT_TRUE(Meets(blocker, from_inside(), a));
     }
     const EdgePart part = occluder.HiddenOf(a, b, {0.125, 1});
     if (part.from > part.to) continue;

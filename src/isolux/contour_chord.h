@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "isolux/contour_point.h"
-#include "isolux/level_search.h"
 #include "isolux/light_features.h"
 #include "isolux/light_probe.h"
+#include "isolux/mesh_search.h"
 #include "isolux/plan_frame.h"
 
 namespace truelux {

@@ -51,7 +51,7 @@ bool DoCross(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c,
 class Tracer {
  public:
   Tracer(const LightProbe& probe, const LightFeatures& features,
-         const LevelSearch& search, std::span<const double> levels,
+         const MeshSearch& search, std::span<const double> levels,
          const ContourWishes& wishes)
       : probe_(probe),
         features_(features),
@@ -268,7 +268,7 @@ class Tracer {
 
   const LightProbe& probe_;
   const LightFeatures& features_;
-  const LevelSearch& search_;
+  const MeshSearch& search_;
   const PlanMesh& mesh_;
   std::span<const double> levels_;
   ContourPointFinder finder_;
@@ -284,7 +284,7 @@ class Tracer {
 
 std::vector<ContourLine> ContourLinesOf(const LightProbe& probe,
                                         const LightFeatures& features,
-                                        const LevelSearch& search,
+                                        const MeshSearch& search,
                                         std::span<const double> levels,
                                         const ContourWishes& wishes,
                                         int threads, const Watch& watch) {

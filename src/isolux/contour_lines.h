@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "isolux/contour_point.h"
-#include "isolux/level_search.h"
 #include "isolux/light_features.h"
 #include "isolux/light_probe.h"
+#include "isolux/mesh_search.h"
 #include "run/watch.h"
 
 namespace truelux {
@@ -36,7 +36,7 @@ struct ContourWishes {
 /// The result does not depend on threads. Throws Stopped.
 std::vector<ContourLine> ContourLinesOf(const LightProbe& probe,
                                         const LightFeatures& features,
-                                        const LevelSearch& search,
+                                        const MeshSearch& search,
                                         std::span<const double> levels,
                                         const ContourWishes& wishes,
                                         int threads, const Watch& watch);

@@ -15,8 +15,9 @@
 #include "isolux/contour_lines.h"
 #include "isolux/first_mesh.h"
 #include "isolux/level_choice.h"
-#include "isolux/level_search.h"
+#include "isolux/level_goal.h"
 #include "isolux/light_features.h"
+#include "isolux/mesh_search.h"
 #include "isolux/surface_side.h"
 #include "run/parallel.h"
 #include "scene/emitters.h"
@@ -154,7 +155,7 @@ class IsoluxFinder {
     const SurfaceSide& side;
     LightFeatures features;
     LightProbe probe;
-    LevelSearch search;
+    MeshSearch search;
   };
 
   void AddOutline(const PlanFrame& plan, const PlanMesh& mesh) {
@@ -199,7 +200,8 @@ class IsoluxFinder {
         options_.smallest > 0 ? options_.smallest : kSmallest * result_.size;
     limits.most_triangles =
         options_.most_triangles > 0 ? options_.most_triangles : kMostTriangles;
-    own.search.Settle(result_.levels, limits, options_.threads, watch_);
+    own.search.Settle(LevelGoal(result_.levels), limits, options_.threads,
+                      watch_);
     const std::uint64_t searched = own.probe.count();
     ContourWishes wishes;
     wishes.half_width = options_.half_width > 0 ? options_.half_width
@@ -250,9 +252,9 @@ class IsoluxFinder {
       const auto corners = mesh.CornersOf(triangle);
       for (std::size_t k = 0; k < 3; ++k)
         open.corners[k] = own.side.plan.PointAt(corners[k]);
-      const auto [least, most] = own.search.RangeOf(triangle);
-      open.least = std::max(0.0, least);
-      open.most = std::min(most_exitance_, most);
+      const ValueRange range = own.search.RangeOf(triangle);
+      open.least = std::max(0.0, range.least);
+      open.most = std::min(most_exitance_, range.most);
     }
   }
 

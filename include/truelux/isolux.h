@@ -158,6 +158,67 @@ struct Isolux {
   std::size_t triangles = 0;
 };
 
+/// What a critical point is.
+enum class ExtremumKind {
+  kMaximum,  ///< "maximum": E is nowhere larger near it
+  kMinimum,  ///< "minimum"
+  kSaddle,   ///< "saddle"
+};
+
+/// The word in quotes above.
+[[nodiscard]] TRUELUX_EXPORT std::string_view Name(ExtremumKind kind);
+
+/// A local maximum, minimum or saddle of E on a surface.
+struct SurfaceExtremum {
+  ExtremumKind kind = ExtremumKind::kMaximum;
+  Point3 at;         ///< the best point that was met
+  double value = 0;  ///< E there [W/m^2]
+  /// The extremum, or E in the saddle, is proven to be in this range, and not
+  /// farther away from `at` than the radius [length]. More than one critical
+  /// point so near would not be told apart.
+  double least = 0;
+  double most = 0;
+  double radius = 0;
+  ContourPlace on = ContourPlace::kInside;
+};
+
+/// A part of a surface that may have further critical points.
+struct UndecidedRegion {
+  std::vector<std::array<Point3, 3>> triangles;
+  double least = 0;  ///< E is in this range there [W/m^2]
+  double most = 0;
+};
+
+/// What is known of the critical points of a surface.
+struct SurfaceExtrema {
+  std::vector<SurfaceExtremum> points;
+  /// All critical points that are not among the points lie here, or where E is
+  /// proven to be 0.
+  std::vector<UndecidedRegion> undecided;
+  double undecided_area = 0;  ///< [length^2]
+  double area = 0;
+  double dark_area = 0;  ///< at least so much has E = 0, proven
+  double least = 0;      ///< E on the whole surface is proven to be in this
+  double most = 0;       ///< range [W/m^2]
+  double size = 0;       ///< as in Isolux
+  std::uint64_t evaluations = 0;
+  std::vector<Diagnostic> notes;
+};
+
+/// What is asked for.
+struct ExtremaOptions {
+  std::optional<ScalarChannel> channel;  ///< as in IsoluxOptions
+  int threads = 1;                       ///< 1 .. 1024
+  ProgressHook progress{};
+};
+
+/// All local maxima, minima and saddles of E on a flat surface, those at its
+/// outline, at walls and on kinks included. By `oracle`, as IsoluxOf. Throws as
+/// IsoluxOf does.
+[[nodiscard]] TRUELUX_EXPORT SurfaceExtrema ExtremaOf(
+    const Oracle& oracle, const std::string& surface,
+    const ExtremaOptions& options);
+
 /// The contours of a flat surface. By `oracle`: its method, engine, emission and
 /// stop flag. The result does not depend on threads.
 ///

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "truelux/isolux.h"
 
+#include "isolux/extrema_run.h"
 #include "isolux/isolux_run.h"
 
 namespace truelux {
@@ -23,6 +24,18 @@ std::string_view Name(ContourPlace place) {
   return "inside";
 }
 
+std::string_view Name(ExtremumKind kind) {
+  switch (kind) {
+    case ExtremumKind::kMaximum:
+      break;
+    case ExtremumKind::kMinimum:
+      return "minimum";
+    case ExtremumKind::kSaddle:
+      return "saddle";
+  }
+  return "maximum";
+}
+
 SurfaceLines SurfaceLinesOf(const Oracle& oracle, const std::string& surface) {
   return FindSurfaceLines(oracle, surface, {.stop = oracle.options().stop});
 }
@@ -31,6 +44,12 @@ Isolux IsoluxOf(const Oracle& oracle, const std::string& surface,
                 const IsoluxOptions& options) {
   return FindIsolux(oracle, surface, options,
                     {.stop = oracle.options().stop, .hook = options.progress});
+}
+
+SurfaceExtrema ExtremaOf(const Oracle& oracle, const std::string& surface,
+                         const ExtremaOptions& options) {
+  return FindExtrema(oracle, surface, options,
+                     {.stop = oracle.options().stop, .hook = options.progress});
 }
 
 }  // namespace truelux

@@ -4,23 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <fmt/format.h>
-#include <memory>
-#include <numbers>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "isolux/contour_lines.h"
-#include "isolux/first_mesh.h"
 #include "isolux/level_choice.h"
 #include "isolux/level_goal.h"
-#include "isolux/light_features.h"
 #include "isolux/mesh_search.h"
+#include "isolux/prepared_surface.h"
 #include "isolux/surface_side.h"
 #include "run/parallel.h"
-#include "scene/emitters.h"
 #include "surface/named_surface.h"
 
 namespace truelux {
@@ -31,23 +27,6 @@ constexpr double kHalfWidth = 1e-9;
 constexpr double kChord = 1e-3;
 constexpr double kSmallest = 0x1p-16;
 constexpr std::size_t kMostTriangles = 4'000'000;
-/// Before levels are chosen triangles are at most this share of the size.
-constexpr double kCoarse = 1.0 / 16;
-
-Rgb WeightsOf(const Scene& scene, std::optional<ScalarChannel> channel) {
-  if (!channel && IsGrey(scene)) return {1, 0, 0};
-  switch (channel.value_or(ScalarChannel::kLuminance)) {
-    case ScalarChannel::kLuminance:
-      break;
-    case ScalarChannel::kRed:
-      return {1, 0, 0};
-    case ScalarChannel::kGreen:
-      return {0, 1, 0};
-    case ScalarChannel::kBlue:
-      return {0, 0, 1};
-  }
-  return {0.2126, 0.7152, 0.0722};
-}
 
 void CheckNumber(const char* name, double value) {
   if (value >= 0 && std::isfinite(value)) return;
@@ -78,86 +57,33 @@ void Check(const IsoluxOptions& options) {
   }
 }
 
-ContourPlace PlaceOf(SideKind kind) {
-  switch (kind) {
-    case SideKind::kInner:
-      break;
-    case SideKind::kKink:
-      return ContourPlace::kKink;
-    case SideKind::kJump:
-      return ContourPlace::kJump;
-    case SideKind::kOutline:
-      return ContourPlace::kOutline;
-  }
-  return ContourPlace::kInside;
-}
-
 class IsoluxFinder {
  public:
   IsoluxFinder(const Oracle& oracle, const IsoluxOptions& options,
                const Watch& watch)
-      : oracle_(oracle),
-        options_(options),
-        watch_(watch),
-        weights_(WeightsOf(oracle.scene(), options.channel)) {
-    for (const Face& face : oracle.scene().faces()) {
-      double exitance = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-        exitance += weights_[k] * face.emission[k];
-      most_exitance_ = std::max(most_exitance_, exitance);
-    }
-    if (oracle.options().emission == Emission::kRadiance)
-      most_exitance_ *= std::numbers::pi;
-  }
+      : oracle_(oracle), options_(options), watch_(watch) {}
 
   Isolux Find(const std::string& surface) {
-    NamedSurface named = SurfaceNamed(oracle_.scene(), surface);
-    result_.lines.notes = std::move(named.notes);
-    const EdgePlanes planes = EdgePlanesOf(
-        oracle_.scene(), CornersOfSurface(oracle_.scene(), named.frame),
-        kMostEdgeLines, watch_.stop);
-    sides_ = SidesOf(oracle_.scene(), named.frame, planes, watch_);
-    for (const SurfaceSide& side : sides_)
-      Prepare(side, planes);
+    prepared_ = PrepareSurface(oracle_, surface, options_.channel,
+                               options_.threads, watch_);
+    result_.lines.notes = prepared_.notes;
+    result_.size = prepared_.size;
+    for (const auto& side : prepared_.sides) {
+      for (SurfaceLine& line :
+           ShownLines(oracle_, side->side(), side->first().scale.size))
+        result_.lines.lines.push_back(std::move(line));
+      result_.lines.is_complete =
+          result_.lines.is_complete && side->side().lines.is_complete;
+      AddOutline(side->plan(), side->first().mesh);
+    }
     SetLevels();
-    for (const auto& search : searches_)
-      Trace(*search);
+    for (const auto& side : prepared_.sides)
+      Trace(*side);
+    std::ranges::stable_sort(result_.contours, {}, &Contour::level);
     return std::move(result_);
   }
 
  private:
-  void Prepare(const SurfaceSide& side, const EdgePlanes& planes) {
-    FirstMesh first =
-        FirstMeshOf(oracle_.scene(), side.plan, side.faces, side.lines.lines);
-    result_.size = std::max(result_.size, first.scale.size);
-    for (SurfaceLine& line : ShownLines(oracle_, side, first.scale.size))
-      result_.lines.lines.push_back(std::move(line));
-    result_.lines.is_complete =
-        result_.lines.is_complete && side.lines.is_complete;
-    AddOutline(side.plan, first.mesh);
-    auto own = std::make_unique<Parts>(oracle_, side, planes, weights_,
-                                       std::move(first.mesh));
-    own->search.RefineTo(kCoarse * first.scale.size);
-    own->search.SamplePoints(options_.threads, watch_);
-    searches_.push_back(std::move(own));
-  }
-
-  /// Keeps what refers to each other in place.
-  struct Parts {
-    Parts(const Oracle& oracle, const SurfaceSide& its_side,
-          const EdgePlanes& planes, const Rgb& weights, PlanMesh mesh)
-        : side(its_side),
-          features(oracle.scene(), side.plan, planes, oracle.options().emission,
-                   weights),
-          probe(oracle, side.plan, weights),
-          search(probe, features, std::move(mesh)) {}
-
-    const SurfaceSide& side;
-    LightFeatures features;
-    LightProbe probe;
-    MeshSearch search;
-  };
-
   void AddOutline(const PlanFrame& plan, const PlanMesh& mesh) {
     for (const PlanTriangle& triangle : mesh.triangles()) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -174,8 +100,8 @@ class IsoluxFinder {
   void SetLevels() {
     double least = HUGE_VAL;
     double most = 0;
-    for (const auto& own : searches_) {
-      for (const LightValue& value : own->search.values()) {
+    for (const auto& side : prepared_.sides) {
+      for (const LightValue& value : side->search().values()) {
         least = std::min(least, value.value);
         most = std::max(most, value.value);
       }
@@ -183,39 +109,37 @@ class IsoluxFinder {
     result_.levels = options_.levels.empty()
                          ? EvenLevels(least, most, options_.count)
                          : options_.levels;
-    if (result_.levels.empty()) {
-      result_.lines.notes.push_back(
-          {Severity::kNote, "", 0,
-           most > 0 ? fmt::format("irradiance is {} wherever it was asked for: "
-                                  "there are no levels to choose",
-                                  most)
-                    : "no light reaches the surface where it was asked for: "
-                      "there are no levels to choose"});
-    }
+    if (!result_.levels.empty()) return;
+    result_.lines.notes.push_back(
+        {Severity::kNote, "", 0,
+         most > 0 ? fmt::format("irradiance is {} wherever it was asked for: "
+                                "there are no levels to choose",
+                                most)
+                  : "no light reaches the surface where it was asked for: "
+                    "there are no levels to choose"});
   }
 
-  void Trace(Parts& own) {
+  void Trace(SideSearch& side) {
     SearchLimits limits;
     limits.smallest =
         options_.smallest > 0 ? options_.smallest : kSmallest * result_.size;
     limits.most_triangles =
         options_.most_triangles > 0 ? options_.most_triangles : kMostTriangles;
-    own.search.Settle(LevelGoal(result_.levels), limits, options_.threads,
-                      watch_);
-    const std::uint64_t searched = own.probe.count();
+    side.search().Settle(LevelGoal(result_.levels), limits, options_.threads,
+                         watch_);
+    const std::uint64_t searched = side.probe().count();
     ContourWishes wishes;
     wishes.half_width = options_.half_width > 0 ? options_.half_width
                                                 : kHalfWidth * result_.size;
     wishes.chord = options_.chord > 0 ? options_.chord : kChord * result_.size;
     const auto lines =
-        ContourLinesOf(own.probe, own.features, own.search, result_.levels,
-                       wishes, options_.threads, watch_);
+        ContourLinesOf(side.probe(), side.features(), side.search(),
+                       result_.levels, wishes, options_.threads, watch_);
     for (const ContourLine& line : lines)
-      AddContour(own.side.plan, line);
+      AddContour(side.plan(), line);
     result_.search_evaluations += searched;
-    result_.line_evaluations += own.probe.count() - searched;
-    AddAreas(own);
-    std::ranges::stable_sort(result_.contours, {}, &Contour::level);
+    result_.line_evaluations += side.probe().count() - searched;
+    AddAreas(side);
   }
 
   void AddContour(const PlanFrame& plan, const ContourLine& line) {
@@ -230,11 +154,11 @@ class IsoluxFinder {
     }
   }
 
-  void AddAreas(const Parts& own) {
-    const PlanMesh& mesh = own.search.mesh();
+  void AddAreas(const SideSearch& side) {
+    const PlanMesh& mesh = side.search().mesh();
     result_.triangles += mesh.triangles().size();
     bool is_first = result_.area == 0;
-    for (const LightValue& value : own.search.values()) {
+    for (const LightValue& value : side.search().values()) {
       result_.least =
           is_first ? value.value : std::min(result_.least, value.value);
       result_.most = std::max(result_.most, value.value);
@@ -242,7 +166,7 @@ class IsoluxFinder {
     }
     for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
       const auto triangle = static_cast<int>(i);
-      const KnownTriangle& known = own.search.known()[i];
+      const KnownTriangle& known = side.search().known()[i];
       const double area = mesh.AreaOf(triangle);
       result_.area += area;
       if (known.is_dark) result_.dark_area += area;
@@ -251,20 +175,17 @@ class IsoluxFinder {
       OpenTriangle& open = result_.open.emplace_back();
       const auto corners = mesh.CornersOf(triangle);
       for (std::size_t k = 0; k < 3; ++k)
-        open.corners[k] = own.side.plan.PointAt(corners[k]);
-      const ValueRange range = own.search.RangeOf(triangle);
+        open.corners[k] = side.plan().PointAt(corners[k]);
+      const ValueRange range = side.search().RangeOf(triangle);
       open.least = std::max(0.0, range.least);
-      open.most = std::min(most_exitance_, range.most);
+      open.most = std::min(prepared_.most_exitance, range.most);
     }
   }
 
   const Oracle& oracle_;
   const IsoluxOptions& options_;
   const Watch& watch_;
-  Rgb weights_;
-  double most_exitance_ = 0;
-  std::vector<SurfaceSide> sides_;
-  std::vector<std::unique_ptr<Parts>> searches_;
+  PreparedSurface prepared_;
   Isolux result_;
 };
 

@@ -47,6 +47,13 @@ void MeshSearch::Halve(int triangle, std::vector<int>& changed) {
   });
 }
 
+std::vector<int> MeshSearch::Halve(const std::vector<int>& triangles) {
+  std::vector<int> changed;
+  for (const int triangle : triangles)
+    Halve(triangle, changed);
+  return changed;
+}
+
 void MeshSearch::RefineTo(double longest) {
   std::vector<int> open;
   for (std::size_t i = 0; i < mesh_.triangles().size(); ++i)
@@ -110,9 +117,11 @@ void MeshSearch::Settle(const SearchGoal& goal, const SearchLimits& limits,
   Settle(goal, limits, std::move(all), threads, watch);
 }
 
-void MeshSearch::Settle(const SearchGoal& goal, const SearchLimits& limits,
-                        std::vector<int> triangles, int threads,
-                        const Watch& watch) {
+std::vector<int> MeshSearch::Settle(const SearchGoal& goal,
+                                    const SearchLimits& limits,
+                                    std::vector<int> triangles, int threads,
+                                    const Watch& watch) {
+  std::vector<int> left;
   while (!triangles.empty()) {
     // Each once, and in an order that does not depend on how they came.
     std::ranges::sort(triangles);
@@ -128,13 +137,22 @@ void MeshSearch::Settle(const SearchGoal& goal, const SearchLimits& limits,
       const KnownTriangle& known = known_[static_cast<std::size_t>(triangle)];
       // Halving another one may have changed it meanwhile.
       if (!known.is_known || known.is_settled) continue;
-      if (mesh_.LongestSideOf(triangle) < 2 * limits.smallest) continue;
-      if (mesh_.triangles().size() >= limits.most_triangles) continue;
-      Halve(triangle, changed);
+      if (mesh_.LongestSideOf(triangle) < 2 * limits.smallest ||
+          mesh_.triangles().size() >= limits.most_triangles) {
+        left.push_back(triangle);
+      } else {
+        Halve(triangle, changed);
+      }
     }
     triangles = std::move(changed);
   }
   SamplePoints(threads, watch);
+  // Later ones may have halved them.
+  std::erase_if(left, [this](int triangle) {
+    const KnownTriangle& known = known_[static_cast<std::size_t>(triangle)];
+    return known.is_known && known.is_settled;
+  });
+  return left;
 }
 
 }  // namespace truelux

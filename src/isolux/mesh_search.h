@@ -86,6 +86,9 @@ class MeshSearch {
   /// Halves all triangles until no side is longer.
   void RefineTo(double longest);
 
+  /// Halves these triangles, and others that must be. Returns what they became.
+  std::vector<int> Halve(const std::vector<int>& triangles);
+
   /// Finds E at all points of the mesh.
   void SamplePoints(int threads, const Watch& watch);
 
@@ -94,9 +97,11 @@ class MeshSearch {
   void Settle(const SearchGoal& goal, const SearchLimits& limits, int threads,
               const Watch& watch);
 
-  /// The same for some triangles, and what becomes of them.
-  void Settle(const SearchGoal& goal, const SearchLimits& limits,
-              std::vector<int> triangles, int threads, const Watch& watch);
+  /// The same for some triangles, and what becomes of them. Returns those that
+  /// are not settled.
+  std::vector<int> Settle(const SearchGoal& goal, const SearchLimits& limits,
+                          std::vector<int> triangles, int threads,
+                          const Watch& watch);
 
   [[nodiscard]] const PlanMesh& mesh() const { return mesh_; }
 

@@ -34,7 +34,7 @@ struct Tally {
 /// Compares at random points of the triangles of a refined mesh.
 void CheckFloor(const LitFloor& floor, double longest, PortableRandom& random,
                 Tally& tally) {
-  LevelSearch search = floor.Search();
+  MeshSearch search = floor.Search();
   search.RefineTo(longest);
   const PlanMesh& mesh = search.mesh();
   for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {

@@ -15,9 +15,9 @@
 #include "truelux/scene.h"
 
 #include "isolux/first_mesh.h"
-#include "isolux/level_search.h"
 #include "isolux/light_features.h"
 #include "isolux/light_probe.h"
+#include "isolux/mesh_search.h"
 #include "isolux/plan_frame.h"
 #include "support/scenes.h"
 #include "surface/edge_planes.h"
@@ -71,7 +71,7 @@ class LitFloor {
 
   [[nodiscard]] const LightProbe& probe() const { return probe_; }
 
-  [[nodiscard]] LevelSearch Search() const {
+  [[nodiscard]] MeshSearch Search() const {
     return {probe_, features_, first_.mesh};
   }
 

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Meshes stay meshes: triangles match corner to corner, whatever is halved.
+
+#include "isolux/plan_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "isolux/lit_floor.h"
+#include "support/portable_random.h"
+
+namespace truelux {
+namespace {
+
+using namespace testing;  // NOLINT(google-build-using-namespace)
+
+double AreaOf(const PlanMesh& mesh) {
+  double area = 0;
+  for (std::size_t i = 0; i < mesh.triangles().size(); ++i)
+    area += mesh.AreaOf(static_cast<int>(i));
+  return area;
+}
+
+double LeastAngle(const PlanMesh& mesh) {
+  double least = std::numbers::pi;
+  for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
+    const auto c = mesh.CornersOf(static_cast<int>(i));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PlanPoint u = c[(k + 1) % 3] - c[k];
+      const PlanPoint v = c[(k + 2) % 3] - c[k];
+      least = std::min(least, std::atan2(Cross(u, v), Dot(u, v)));
+    }
+  }
+  return least;
+}
+
+/// Neighbours know each other by the same side, of the same kind.
+void ExpectMatching(const PlanMesh& mesh) {
+  for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
+    const PlanTriangle& t = mesh.triangles()[i];
+    EXPECT_GT(mesh.AreaOf(static_cast<int>(i)), 0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (t.neighbors[k] < 0) {
+        EXPECT_TRUE(t.kinds[k] == SideKind::kJump ||
+                    t.kinds[k] == SideKind::kOutline);
+        continue;
+      }
+      const PlanTriangle& other = mesh.At(t.neighbors[k]);
+      const auto back = static_cast<std::size_t>(
+          std::ranges::find(other.neighbors, static_cast<int>(i)) -
+          other.neighbors.begin());
+      ASSERT_LT(back, 3U);
+      EXPECT_EQ(other.corners[(back + 1) % 3], t.corners[(k + 2) % 3]);
+      EXPECT_EQ(other.corners[(back + 2) % 3], t.corners[(k + 1) % 3]);
+      EXPECT_EQ(other.kinds[back], t.kinds[k]);
+      EXPECT_EQ(other.lines[back], t.lines[k]);
+    }
+  }
+}
+
+/// How long the sides of a kind are.
+double LengthOf(const PlanMesh& mesh, SideKind kind) {
+  double length = 0;
+  for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
+    const auto c = mesh.CornersOf(static_cast<int>(i));
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (mesh.triangles()[i].kinds[k] == kind)
+        length += LengthOf(c[(k + 2) % 3] - c[(k + 1) % 3]);
+    }
+  }
+  return length;
+}
+
+LitFloor BoxFloor() {
+  std::vector<TestFace> faces = {{Ceiling(-1, 1, -1, 1, 4), kUnitLamp}};
+  AddBox(0.5, 1.75, 0.25, 1.5, 0, 1.5, faces);
+  // A wall that ends on the floor.
+  faces.push_back(
+      {{{-2, -2, 0}, {-1, -1.5, 0}, {-1, -1.5, 1}, {-2, -2, 1}}, {}});
+  return {3, faces};
+}
+
+TEST(PlanMesh, StaysAMeshWhenHalved) {
+  const LitFloor floor = BoxFloor();
+  PlanMesh mesh = floor.first().mesh;
+  const double area = AreaOf(mesh);
+  const double angle = LeastAngle(mesh);
+  PortableRandom random(1);
+  std::size_t told = 0;
+  for (int i = 0; i < 400; ++i) {
+    const int triangle =
+        random.Integer(0, static_cast<int>(mesh.triangles().size()) - 1);
+    const std::size_t before = mesh.triangles().size();
+    const double longest = mesh.LongestSideOf(triangle);
+    std::size_t added = 0;
+    bool was_halved = false;
+    mesh.Halve(triangle, [&](int old, int fresh) {
+      ++added;
+      EXPECT_EQ(static_cast<std::size_t>(fresh), mesh.triangles().size() - 1);
+      was_halved = was_halved || old == triangle;
+    });
+    EXPECT_TRUE(was_halved);
+    EXPECT_EQ(mesh.triangles().size(), before + added);
+    EXPECT_LE(mesh.LongestSideOf(triangle), longest);
+    told += added;
+  }
+  EXPECT_GT(told, 500U);
+  ExpectMatching(mesh);
+  EXPECT_NEAR(AreaOf(mesh), area, 1e-9);
+  EXPECT_GE(LeastAngle(mesh), angle / 2 - 1e-9);
+}
+
+TEST(FirstMesh, CoversTheSurfaceAndHasItsLines) {
+  const LitFloor floor = BoxFloor();
+  const FirstMesh& first = floor.first();
+  ExpectMatching(first.mesh);
+  EXPECT_EQ(first.left_out, 0);
+  EXPECT_NEAR(first.scale.size, 6, 1e-6);
+  EXPECT_NEAR(AreaOf(first.mesh), 36, 1e-7);
+  EXPECT_NEAR(LengthOf(first.mesh, SideKind::kOutline), 24, 1e-7);
+  // Walls from both sides.
+  EXPECT_NEAR(LengthOf(first.mesh, SideKind::kJump),
+              2 * (4 * 1.25 + std::hypot(1, 0.5)), 1e-7);
+  // The middle of each kink is on a side that knows it.
+  std::size_t kinks = 0;
+  for (const ExactSurfaceLine& line : floor.lines().lines) {
+    if (line.is_jump) continue;
+    ++kinks;
+    const PlanPoint middle = {(line.from.x.get_d() + line.to.x.get_d()) / 2,
+                              (line.from.y.get_d() + line.to.y.get_d()) / 2};
+    bool is_there = false;
+    for (std::size_t i = 0; i < first.mesh.triangles().size(); ++i) {
+      const auto c = first.mesh.CornersOf(static_cast<int>(i));
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (first.mesh.triangles()[i].kinds[k] != SideKind::kKink) continue;
+        const PlanPoint way = c[(k + 2) % 3] - c[(k + 1) % 3];
+        const PlanPoint from = middle - c[(k + 1) % 3];
+        const double share = Dot(from, way) / Dot(way, way);
+        is_there =
+            is_there || (share >= 0 && share <= 1 &&
+                         std::fabs(Cross(way, from)) < 1e-9 * LengthOf(way));
+      }
+    }
+    EXPECT_TRUE(is_there) << middle.s << ", " << middle.t;
+  }
+  EXPECT_GT(kinks, 3U);
+}
+
+TEST(FirstMesh, KeepsAwayFromWallsByItsMargin) {
+  const LitFloor floor = BoxFloor();
+  const FirstMesh& first = floor.first();
+  std::size_t beside = 0;
+  for (const PlanPoint& p : first.mesh.points()) {
+    // The box's outline, from outside and from inside.
+    const double x = std::max(0.5 - p.s, p.s - 1.75);
+    const double y = std::max(0.25 - p.t, p.t - 1.5);
+    const double outside = std::max(x, y);
+    if (std::fabs(outside) > 1e-6) continue;
+    ++beside;
+    EXPECT_GE(std::fabs(outside), 0.99 * first.scale.margin);
+    EXPECT_LE(std::fabs(outside), 4.1 * first.scale.margin);
+  }
+  EXPECT_GE(beside, 8U);
+}
+
+TEST(FirstMesh, OfFacesThatAreNoRectangle) {
+  // An L with a hole's worth of notch, as one face.
+  const Ring ring = {{0, 0, 0}, {4, 0, 0}, {4, 1, 0},
+                     {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
+  const LitFloor floor(
+      MakeScene({{ring, {}}, {Ceiling(0, 1, 0, 1, 2), kUnitLamp}}));
+  EXPECT_NEAR(AreaOf(floor.first().mesh), 6, 1e-8);
+  EXPECT_NEAR(LengthOf(floor.first().mesh, SideKind::kOutline), 14, 1e-8);
+  ExpectMatching(floor.first().mesh);
+}
+
+}  // namespace
+}  // namespace truelux

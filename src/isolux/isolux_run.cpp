@@ -116,6 +116,8 @@ class IsoluxFinder {
         oracle_.scene(), CornersOfSurface(oracle_.scene(), named.frame),
         kMostEdgeLines, watch_.stop);
     sides_ = SidesOf(oracle_.scene(), named.frame, planes, watch_);
+    result_.right = sides_.front().plan.VectorOf({1, 0});
+    result_.up = sides_.front().plan.VectorOf({0, 1});
     for (const SurfaceSide& side : sides_)
       Prepare(side, planes);
     SetLevels();

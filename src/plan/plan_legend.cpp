@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan/plan_legend.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <fmt/format.h>
+#include <string_view>
+#include <vector>
+
+#include "draw/svg.h"
+#include "plan/level_style.h"
+#include "plan/plan_notes.h"
+#include "text/results.h"
+
+namespace truelux {
+namespace {
+
+constexpr int kFont = 12;
+constexpr int kHeadingFont = 13;
+constexpr double kRow = 17;
+constexpr double kSwatch = 26;
+constexpr double kTextLeft = 34;
+
+std::size_t CountCharacters(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+  }));
+}
+
+/// Lines that are no wider; a longer word is cut.
+std::vector<std::string> Wrapped(const std::string& text, double width) {
+  std::vector<std::string> lines;
+  std::string line;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t blank = std::min(text.find(' ', at), text.size());
+    const std::string word = text.substr(at, blank - at);
+    const std::string longer = line.empty() ? word : line + " " + word;
+    if (!line.empty() && TextWidth(longer, kFont) > width) {
+      lines.push_back(line);
+      line = word;
+    } else {
+      line = longer;
+    }
+    at = blank + 1;
+  }
+  lines.push_back(line);
+  for (std::string& each : lines)
+    each = Fitted(each, kFont, width);
+  return lines;
+}
+
+std::string VectorText(const Vector3& v) {
+  constexpr double kShown = 1e4;
+  const auto rounded = [](double x) {
+    return std::round(kShown * x) / kShown + 0.0;  // no -0
+  };
+  return fmt::format("({:g}, {:g}, {:g})", rounded(v.x), rounded(v.y),
+                     rounded(v.z));
+}
+
+class LegendWriter {
+ public:
+  LegendWriter(const Isolux& isolux, const PlanSubject& subject, double left,
+               double top, double scale)
+      : isolux_(isolux),
+        subject_(subject),
+        left_(left),
+        y_(top),
+        scale_(scale) {}
+
+  LegendDrawing Write() {
+    AddLevels();
+    AddMarks();
+    AddScaleBar();
+    AddHeading("What is proven");
+    for (const std::string& note : PlanNotes(isolux_))
+      AddNote(note);
+    return {std::move(text_), y_};
+  }
+
+ private:
+  void AddHeading(const std::string& heading) {
+    y_ += kRow;
+    text_ += SvgText(left_, y_, "start", kHeadingFont,
+                     Fitted(heading, kHeadingFont, kLegendWidth),
+                     " font-weight=\"bold\"");
+    y_ += 4;
+  }
+
+  void AddLines(const std::vector<std::string>& lines, double x) {
+    for (const std::string& line : lines) {
+      text_ += SvgText(x, y_, "start", kFont, line);
+      y_ += kRow - 2;
+    }
+    y_ -= kRow - 2;
+  }
+
+  void AddNote(const std::string& note) {
+    y_ += kRow;
+    AddLines(Wrapped(note, kLegendWidth), left_);
+  }
+
+  /// A line of the legend with a mark before its text.
+  void AddMark(const char* style, const std::string& text) {
+    y_ += kRow;
+    text_ += fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}\" {}/>\n", left_,
+                         y_ - 0.35 * kFont, kSwatch, style);
+    AddLines(Wrapped(text, kLegendWidth - kTextLeft), left_ + kTextLeft);
+  }
+
+  void AddLevels() {
+    const std::string of = subject_.channel == "all"
+                               ? "Irradiance"
+                               : "Irradiance, " + subject_.channel;
+    AddHeading(of + " [W/m²]");
+    const std::size_t count = isolux_.levels.size();
+    if (count == 0) AddNote("no levels");
+    std::size_t widest = 0;
+    std::vector<std::string> texts;
+    for (const double level : isolux_.levels) {
+      std::string& text = texts.emplace_back();
+      AppendNumber(text, level);
+      const bool is_met = std::ranges::any_of(
+          isolux_.contours,
+          [level](const Contour& contour) { return contour.level == level; });
+      if (!is_met) text += " (no line)";
+      widest = std::max(widest, text.size());
+    }
+    constexpr std::size_t kOneColumn = 14;
+    constexpr std::size_t kNarrow = 10;
+    constexpr std::size_t kMostRows = 120;
+    const std::size_t columns = count > kOneColumn && widest <= kNarrow ? 2 : 1;
+    const std::size_t step = 1 + count / kMostRows;
+    std::size_t shown = 0;
+    for (std::size_t i = count; i-- > 0;) {
+      if (i % step != 0) continue;
+      const std::size_t column = shown++ % columns;
+      if (column == 0) y_ += kRow;
+      const double x = left_ + static_cast<double>(column) * kLegendWidth / 2;
+      text_ += fmt::format(
+          "<path d=\"M{:.1f} {:.1f}h{:.1f}\" stroke=\"{}\" "
+          "stroke-width=\"2\"/>\n",
+          x, y_ - 0.35 * kFont, kSwatch, LevelColour(i, count));
+      text_ += SvgText(x + kTextLeft, y_, "start", kFont, texts[i]);
+    }
+    if (step > 1) AddNote(fmt::format("(one of {} levels)", step));
+    y_ += 4;
+  }
+
+  void AddMarks() {
+    const auto has = [this](SurfaceLineKind kind) {
+      return std::ranges::any_of(
+          isolux_.lines.lines,
+          [kind](const SurfaceLine& line) { return line.kind == kind; });
+    };
+    if (has(SurfaceLineKind::kJump)) {
+      AddMark(kJumpStyle,
+              "foot of a face that stands here: irradiance may jump");
+    }
+    if (has(SurfaceLineKind::kKink))
+      AddMark(kKinkStyle, "the gradient of irradiance jumps");
+    if (!isolux_.open.empty()) {
+      y_ += kRow;
+      text_ += fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}v9h{:.1f}z\" {}/>\n",
+                           left_, y_ - 9, kSwatch, -kSwatch, kOpenStyle);
+      AddLines(Wrapped(fmt::format("open: {} triangles, {} of the surface",
+                                   isolux_.open.size(),
+                                   ShareText(isolux_.open_area, isolux_.area)),
+                       kLegendWidth - kTextLeft),
+               left_ + kTextLeft);
+    }
+    y_ += 4;
+  }
+
+  /// 1, 2 or 5 times a power of ten, as long as there is room for.
+  void AddScaleBar() {
+    const double room = (kLegendWidth - 30) / scale_;
+    if (!(room > 0) || !std::isfinite(room)) return;
+    const double decade = std::pow(10, std::floor(std::log10(room)));
+    double length = decade;
+    for (const double factor : {2, 5}) {
+      if (factor * decade <= room) length = factor * decade;
+    }
+    const double width = length * scale_;
+    y_ += 1.5 * kRow;
+    text_ += fmt::format(
+        "<path d=\"M{:.1f} {:.1f}v6h{:.2f}v-6\" fill=\"none\" "
+        "stroke=\"#000000\" stroke-width=\"1.2\"/>\n",
+        left_ + 1, y_ - 10, width);
+    y_ += kRow - 5;
+    text_ += SvgText(left_, y_, "start", kFont,
+                     fmt::format("{:g} (the scene's unit of length)", length));
+    AddNote("to the right " + VectorText(isolux_.right) + ", up " +
+            VectorText(isolux_.up));
+    y_ += 4;
+  }
+
+  const Isolux& isolux_;
+  const PlanSubject& subject_;
+  double left_;
+  double y_;
+  double scale_;
+  std::string text_;
+};
+
+}  // namespace
+
+double TextWidth(const std::string& text, int font) {
+  constexpr double kCharacterWidth = 0.56;
+  return kCharacterWidth * font * static_cast<double>(CountCharacters(text));
+}
+
+std::string Fitted(const std::string& text, int font, double width) {
+  if (TextWidth(text, font) <= width) return text;
+  std::string fitted = text;
+  do {
+    // A whole character.
+    while (!fitted.empty() &&
+           (static_cast<unsigned char>(fitted.back()) & 0xC0U) == 0x80U)
+      fitted.pop_back();
+    if (!fitted.empty()) fitted.pop_back();
+  } while (!fitted.empty() && TextWidth(fitted + "…", font) > width);
+  return fitted + "…";
+}
+
+LegendDrawing PlanLegend(const Isolux& isolux, const PlanSubject& subject,
+                         double left, double top, double scale) {
+  return LegendWriter(isolux, subject, left, top, scale).Write();
+}
+
+}  // namespace truelux

@@ -5,6 +5,7 @@
 #include "cli/cmd_isolux.h"
 #include "cli/commands.h"
 #include "cli/input_arguments.h"
+#include "cli/isolux_request.h"
 #include "cli/option_table.h"
 #include "cli/oracle_arguments.h"
 

@@ -4,16 +4,35 @@
 #ifndef TRUELUX_CLI_ISOLUX_REQUEST_H_
 #define TRUELUX_CLI_ISOLUX_REQUEST_H_
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "truelux/irradiance.h"
 #include "truelux/isolux.h"
 
-#include "cli/cmd_isolux.h"
+#include "cli/input_arguments.h"
 #include "cli/output_paths.h"
 
 namespace truelux {
+
+/// The words of the command line, before they are looked at.
+struct IsoluxArguments {
+  SceneArguments scene;
+  std::string surface;
+  std::optional<std::string> levels;
+  std::optional<std::string> count;
+  std::optional<std::string> channel;
+  std::vector<std::string> outputs;
+  std::optional<std::string> lines;
+  std::string chord = "0";
+  std::string half_width = "0";
+  std::string smallest = "0";
+  std::optional<std::string> most_triangles;
+  std::string method;
+  std::string emission;
+  std::string threads;
+};
 
 /// How contours are written.
 enum class PlanFormat { kCsv, kJson, kSvg, kDxf };

@@ -31,6 +31,12 @@ bool AxesPart(const GapLabel& a, const GapLabel& b) {
 /// none is.
 std::pair<double, double> PartInside(const GapLabel& label, const PaperPoint& a,
                                      const PaperPoint& b) {
+  const double reach = label.half_width + label.half_height;
+  if (std::min(a.x, b.x) > label.middle.x + reach ||
+      std::max(a.x, b.x) < label.middle.x - reach ||
+      std::min(a.y, b.y) > label.middle.y + reach ||
+      std::max(a.y, b.y) < label.middle.y - reach)
+    return {1, 0};
   const PaperPoint p = label.PlaceOf(a);
   const PaperPoint q = label.PlaceOf(b);
   double from = 0;
@@ -67,20 +73,25 @@ bool GapLabel::Holds(const PaperPoint& p) const {
 }
 
 bool GapLabel::Overlaps(const GapLabel& other) const {
+  const double reach =
+      half_width + half_height + other.half_width + other.half_height;
+  if (std::abs(middle.x - other.middle.x) > reach ||
+      std::abs(middle.y - other.middle.y) > reach)
+    return false;
   return !AxesPart(*this, other) && !AxesPart(other, *this);
 }
 
-PaperPath GapLabel::Corners() const {
+std::array<PaperPoint, 4> GapLabel::Corners() const {
   const double turn = angle * std::numbers::pi / 180;
-  const double c = std::cos(turn);
-  const double s = std::sin(turn);
-  PaperPath corners;
-  for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-    const double u = x * half_width;
-    const double v = y * half_height;
-    corners.push_back({middle.x + u * c - v * s, middle.y + u * s + v * c});
-  }
-  return corners;
+  const PaperPoint u = {half_width * std::cos(turn),
+                        half_width * std::sin(turn)};
+  const PaperPoint v = {-half_height * std::sin(turn),
+                        half_height * std::cos(turn)};
+  const auto at = [&](int i, int k) {
+    return PaperPoint{middle.x + i * u.x + k * v.x,
+                      middle.y + i * u.y + k * v.y};
+  };
+  return {at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)};
 }
 
 std::vector<PaperPath> OutsideLabels(const PaperPath& path,

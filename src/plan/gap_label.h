@@ -4,6 +4,7 @@
 #ifndef TRUELUX_PLAN_GAP_LABEL_H_
 #define TRUELUX_PLAN_GAP_LABEL_H_
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -27,7 +28,7 @@ struct GapLabel {
   [[nodiscard]] PaperPoint PlaceOf(const PaperPoint& p) const;
 
   /// Its corners, in turn.
-  [[nodiscard]] PaperPath Corners() const;
+  [[nodiscard]] std::array<PaperPoint, 4> Corners() const;
 };
 
 /// What of a path is outside all labels.

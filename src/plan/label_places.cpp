@@ -231,11 +231,12 @@ class Placer {
                       0.25 * (a.y + b.y) + 0.5 * middle.y};
       label.angle =
           Upright(std::atan2(b.y - a.y, b.x - a.x) * 180 / std::numbers::pi);
-      const double under = crowd_.Under(label, line);
       const double off = std::abs(way / course.length() - 0.5);
-      const double cost =
-          10 * under + bend + 2 * off + std::abs(label.angle) / 45;
-      if (under > most || cost >= best_cost || !IsFree(label)) continue;
+      const double plain = bend + 2 * off + std::abs(label.angle) / 45;
+      if (plain >= best_cost || !IsFree(label)) continue;
+      const double under = crowd_.Under(label, line);
+      const double cost = 10 * under + plain;
+      if (under > most || cost >= best_cost) continue;
       best = label;
       best_cost = cost;
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/vector_math.h"
+#include "plan/plan_points.h"
 
 namespace truelux {
 
@@ -18,19 +19,18 @@ double LengthOf(const PaperPath& path) {
 Paper::Paper(const Isolux& isolux, const LabelBox& room)
     : right_(isolux.right), up_(isolux.up) {
   area_ = {room.left, room.top, room.left, room.top};
-  if (isolux.outline.empty()) return;
-  base_ = isolux.outline.front()[0];
   double right = 0;
   double bottom = 0;
-  for (const auto& side : isolux.outline) {
-    for (const Point3& p : side) {
-      const PaperPoint place = PlaceOf(p);
-      left_ = std::min(left_, place.x);
-      right = std::max(right, place.x);
-      top_ = std::max(top_, place.y);
-      bottom = std::min(bottom, place.y);
-    }
-  }
+  bool is_first = true;
+  ForEachPlanPoint(isolux, [&](const Point3& p) {
+    if (is_first) base_ = p;
+    is_first = false;
+    const PaperPoint place = PlaceOf(p);
+    left_ = std::min(left_, place.x);
+    right = std::max(right, place.x);
+    top_ = std::max(top_, place.y);
+    bottom = std::min(bottom, place.y);
+  });
   const double width = right - left_;
   const double height = top_ - bottom;
   if (width > 0 || height > 0) {

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "plan/plan_points.h"
 #include "text/results.h"
 
 namespace truelux {
@@ -141,19 +144,17 @@ void AddHeader(DxfText& dxf, const Isolux& isolux) {
   dxf.Add(kName, "HEADER");
   dxf.Add(kVariable, "$ACADVER");
   dxf.Add(kText, "AC1009");
-  if (!isolux.outline.empty()) {
-    Point3 low = isolux.outline.front()[0];
-    Point3 high = low;
-    for (const auto& side : isolux.outline) {
-      for (const Point3& p : side) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y),
-               std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y),
-                std::max(high.z, p.z)};
-      }
-    }
+  std::optional<Point3> low;
+  Point3 high;
+  ForEachPlanPoint(isolux, [&](const Point3& p) {
+    if (!low) low = high = p;
+    low = {std::min(low->x, p.x), std::min(low->y, p.y), std::min(low->z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y),
+            std::max(high.z, p.z)};
+  });
+  if (low) {
     dxf.Add(kVariable, "$EXTMIN");
-    dxf.Add(0, low);
+    dxf.Add(0, *low);
     dxf.Add(kVariable, "$EXTMAX");
     dxf.Add(0, high);
   }

@@ -23,10 +23,16 @@ constexpr double kRow = 17;
 constexpr double kSwatch = 26;
 constexpr double kTextLeft = 34;
 
-std::size_t CountCharacters(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-  }));
+/// By the font's size, as the wider ones of usual fonts have it. Of a character
+/// of several bytes the first one has it all.
+double CharacterWidth(char c) {
+  constexpr std::string_view kNarrow = "fijltI.,:;!|'()[] -";
+  constexpr std::string_view kWide = "mwMWOQ@%";
+  const auto byte = static_cast<unsigned char>(c);
+  if ((byte & 0xC0U) == 0x80U) return 0;
+  if (byte >= 0x80U || kWide.find(c) != kWide.npos) return 1;
+  if (kNarrow.find(c) != kNarrow.npos) return 0.4;
+  return c >= 'A' && c <= 'Z' ? 0.75 : 0.62;
 }
 
 /// Lines that are no wider; a longer word is cut.
@@ -37,7 +43,7 @@ std::vector<std::string> Wrapped(const std::string& text, double width) {
     const std::size_t blank = std::min(text.find(' ', at), text.size());
     const std::string word = text.substr(at, blank - at);
     const std::string longer = line.empty() ? word : line + " " + word;
-    if (!line.empty() && TextWidth(longer, kFont) > width) {
+    if (!line.empty() && PrintedWidth(longer, kFont) > width) {
       lines.push_back(line);
       line = word;
     } else {
@@ -97,7 +103,10 @@ class LegendWriter {
     y_ -= kRow - 2;
   }
 
-  void AddNote(const std::string& note) {
+  void AddNote(std::string note) {
+    constexpr std::string_view kPlain = "m^2";
+    const std::size_t unit = note.find(kPlain);
+    if (unit != std::string::npos) note.replace(unit, kPlain.size(), "m²");
     y_ += kRow;
     AddLines(Wrapped(note, kLegendWidth), left_);
   }
@@ -207,13 +216,15 @@ class LegendWriter {
 
 }  // namespace
 
-double TextWidth(const std::string& text, int font) {
-  constexpr double kCharacterWidth = 0.56;
-  return kCharacterWidth * font * static_cast<double>(CountCharacters(text));
+double PrintedWidth(std::string_view text, int font) {
+  double width = 0;
+  for (const char c : text)
+    width += font * CharacterWidth(c);
+  return width;
 }
 
 std::string Fitted(const std::string& text, int font, double width) {
-  if (TextWidth(text, font) <= width) return text;
+  if (PrintedWidth(text, font) <= width) return text;
   std::string fitted = text;
   do {
     // A whole character.
@@ -221,7 +232,7 @@ std::string Fitted(const std::string& text, int font, double width) {
            (static_cast<unsigned char>(fitted.back()) & 0xC0U) == 0x80U)
       fitted.pop_back();
     if (!fitted.empty()) fitted.pop_back();
-  } while (!fitted.empty() && TextWidth(fitted + "…", font) > width);
+  } while (!fitted.empty() && PrintedWidth(fitted + "…", font) > width);
   return fitted + "…";
 }
 

@@ -5,6 +5,7 @@
 #define TRUELUX_PLAN_PLAN_LEGEND_H_
 
 #include <string>
+#include <string_view>
 
 #include "truelux/isolux.h"
 
@@ -36,9 +37,9 @@ inline constexpr const char* kOutlineStyle =
 inline constexpr double kLegendWidth = 250;
 
 /// Of a text [px], generously.
-[[nodiscard]] double TextWidth(const std::string& text, int font);
+[[nodiscard]] double PrintedWidth(std::string_view text, int font);
 
-/// The text, or as much of its start as fits, with "…" for the rest.
+/// The text, which is UTF-8, or as much of its start as fits, with "…" for the rest.
 [[nodiscard]] std::string Fitted(const std::string& text, int font,
                                  double width);
 

@@ -88,7 +88,10 @@ std::string ChordNote(const LineCounts& counts) {
 }  // namespace
 
 std::string ShortNumber(double value) {
-  return fmt::format("{:.2g}", value);
+  constexpr double kPlainFrom = 99.5;  // no 1e+02
+  constexpr double kPlainTo = 1e6;
+  return value >= kPlainFrom && value < kPlainTo ? fmt::format("{:.0f}", value)
+                                                 : fmt::format("{:.2g}", value);
 }
 
 std::string ShareText(double part, double whole) {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <fmt/format.h>
 #include <iterator>
-#include <string_view>
+#include <utf8.h>
 #include <vector>
 
 #include "draw/svg.h"
@@ -28,6 +28,15 @@ constexpr double kLargestSide = 780;
 constexpr double kSpace = 32;
 constexpr int kTitleFont = 16;
 constexpr int kSubtitleFont = 12;
+
+/// Names of users need not be UTF-8: then without what is not ASCII.
+std::string Readable(std::string name) {
+  if (utf8::is_valid(name.begin(), name.end())) return name;
+  std::ranges::replace_if(
+      name, [](char c) { return (static_cast<unsigned char>(c) & 0x80U) != 0; },
+      '?');
+  return name;
+}
 
 void AppendPath(std::string& text, const PaperPath& path) {
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -91,10 +100,10 @@ class PlanDrawing {
   std::string Draw() {
     PlaceLabels();
     std::string body;
-    AddOpen(body);
     AddLines(body, SurfaceLineKind::kKink, "kinks", kKinkStyle);
     AddOutline(body);
     AddLines(body, SurfaceLineKind::kJump, "jumps", kJumpStyle);
+    AddOpen(body);
     AddContours(body);
     AddLabels(body);
     const LabelBox& area = paper_.area();
@@ -113,17 +122,18 @@ class PlanDrawing {
     const double room = width - 2 * kMargin;
     text += SvgText(kMargin, kMargin + kTitleFont, "start", kTitleFont,
                     Fitted(Title(), kTitleFont, room));
-    text += SvgText(kMargin, kMargin + kTitleFont + 20, "start", kSubtitleFont,
-                    Fitted(subject_.scene + ", seen from the lit side",
-                           kSubtitleFont, room),
-                    " fill=\"#444444\"");
+    text +=
+        SvgText(kMargin, kMargin + kTitleFont + 20, "start", kSubtitleFont,
+                Fitted(Readable(subject_.scene) + ", seen from the lit side",
+                       kSubtitleFont, room),
+                " fill=\"#444444\"");
     return text + body + "<g id=\"legend\">\n" + legend.elements +
            "</g>\n</svg>\n";
   }
 
  private:
   [[nodiscard]] std::string Title() const {
-    return "Isolux lines on " + subject_.surface;
+    return "Isolux lines on " + Readable(subject_.surface);
   }
 
   void PlaceLabels() {

@@ -145,6 +145,14 @@ double Upright(double angle) {
   return angle;
 }
 
+/// With room around it, since lines have a width.
+GapLabel Padded(GapLabel label) {
+  constexpr double kPad = 2;
+  label.half_width += kPad;
+  label.half_height += kPad;
+  return label;
+}
+
 class Placer {
  public:
   Placer(std::span<const LabelledLine> lines,
@@ -234,7 +242,7 @@ class Placer {
       const double off = std::abs(way / course.length() - 0.5);
       const double plain = bend + 2 * off + std::abs(label.angle) / 45;
       if (plain >= best_cost || !IsFree(label)) continue;
-      const double under = crowd_.Under(label, line);
+      const double under = crowd_.Under(Padded(label), line);
       const double cost = 10 * under + plain;
       if (under > most || cost >= best_cost) continue;
       best = label;
@@ -261,7 +269,7 @@ class Placer {
           label.middle = {from.x + way[0] * (label.half_width + away),
                           from.y + way[1] * (label.half_height + away)};
           const double cost =
-              10 * crowd_.Under(label, lines_.size() + 1) + away;
+              10 * crowd_.Under(Padded(label), lines_.size() + 1) + away;
           if (cost >= best_cost || !IsFree(label)) continue;
           best = label;
           best_cost = cost;

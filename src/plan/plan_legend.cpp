@@ -174,7 +174,10 @@ class LegendWriter {
       y_ += kRow;
       text_ += fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}v9h{:.1f}z\" {}/>\n",
                            left_, y_ - 9, kSwatch, -kSwatch, kOpenStyle);
-      AddLines(Wrapped(fmt::format("open: {} triangles, {} of the surface",
+      text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" {}/>\n",
+                           left_ + 0.5 * kSwatch, y_ - 4.5, kRingStyle);
+      AddLines(Wrapped(fmt::format("open: {} triangles, {} of the surface; "
+                                   "with rings where they are small",
                                    isolux_.open.size(),
                                    ShareText(isolux_.open_area, isolux_.area)),
                        kLegendWidth - kTextLeft),

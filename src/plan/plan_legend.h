@@ -29,6 +29,8 @@ inline constexpr const char* kJumpStyle =
 inline constexpr const char* kOpenStyle =
     "fill=\"#e00000\" fill-opacity=\"0.35\" stroke=\"#e00000\" "
     "stroke-opacity=\"0.35\" stroke-width=\"1\" stroke-linejoin=\"round\"";
+inline constexpr const char* kRingStyle =
+    "fill=\"none\" stroke=\"#e00000\" stroke-width=\"1\"";
 inline constexpr const char* kOutlineStyle =
     "fill=\"none\" stroke=\"#000000\" stroke-width=\"1.2\" "
     "stroke-linecap=\"round\"";

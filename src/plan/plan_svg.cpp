@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <fmt/format.h>
 #include <iterator>
+#include <set>
 #include <utf8.h>
+#include <utility>
 #include <vector>
 
 #include "draw/svg.h"
@@ -157,18 +159,44 @@ class PlanDrawing {
     labels_ = PlaceGapLabels(lines_, texts_, obstacles, paper_.area());
   }
 
+  /// Triangles; where they are too small to see, a ring around a few.
   void AddOpen(std::string& text) const {
     if (isolux_.open.empty()) return;
+    constexpr double kSmallest = 1.5;
+    constexpr double kCell = 12;
+    std::set<std::pair<int, int>> ringed;
+    std::string rings;
     text += fmt::format("<g id=\"open\" {}>\n", kOpenStyle);
     for (const OpenTriangle& open : isolux_.open) {
-      std::string path;
-      AppendPath(path, {paper_.At(open.corners[0]), paper_.At(open.corners[1]),
-                        paper_.At(open.corners[2])});
-      text += PathElement(path + "Z", "",
-                          fmt::format("open: irradiance from {:.4g} to {:.4g}",
-                                      open.least, open.most));
+      const PaperPath corners = {paper_.At(open.corners[0]),
+                                 paper_.At(open.corners[1]),
+                                 paper_.At(open.corners[2])};
+      const auto [left, right] =
+          std::ranges::minmax(corners, {}, &PaperPoint::x);
+      const auto [top, bottom] =
+          std::ranges::minmax(corners, {}, &PaperPoint::y);
+      if (std::max(right.x - left.x, bottom.y - top.y) >= kSmallest) {
+        std::string path;
+        AppendPath(path, corners);
+        text +=
+            PathElement(path + "Z", "",
+                        fmt::format("open: irradiance from {:.4g} to {:.4g}",
+                                    open.least, open.most));
+        continue;
+      }
+      const PaperPoint& p = corners[0];
+      if (!ringed
+               .emplace(static_cast<int>(std::floor(p.x / kCell)),
+                        static_cast<int>(std::floor(p.y / kCell)))
+               .second)
+        continue;
+      rings += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"5\"/>\n",
+                           p.x, p.y);
     }
     text += "</g>\n";
+    if (!rings.empty())
+      text += fmt::format("<g id=\"open_rings\" {}>\n", kRingStyle) + rings +
+              "</g>\n";
   }
 
   void AddLines(std::string& text, SurfaceLineKind kind, const char* id,

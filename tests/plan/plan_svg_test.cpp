@@ -128,6 +128,22 @@ TEST(PlanSvg, EveryLevelWithALineIsOnALine) {
   EXPECT_EQ(CountOf(own, ">7<"), 0U);
 }
 
+TEST(PlanSvg, OpenTrianglesAreSeenHoweverSmallTheyAre) {
+  Isolux isolux = MadeFloor(10, 8);
+  for (int i = 0; i < 1000; ++i) {
+    const double x = 5 + 1e-6 * i;
+    isolux.open.push_back(
+        {{{{x, 5, 1}, {x + 1e-6, 5, 1}, {x, 5.1e0, 1}}}, 0, 1});
+    isolux.open.push_back(
+        {{{{x, 2, 1}, {x + 1e-6, 2, 1}, {x, 2.000001, 1}}}, 0, 1});
+  }
+  const std::string svg = PlanSvg(isolux, MadeSubject());
+  EXPECT_EQ(MarkupDefect(svg), "");
+  EXPECT_EQ(CountOf(svg, "<title>open: "), 1000U);
+  const std::string rings = svg.substr(svg.find("id=\"open_rings\""));
+  EXPECT_EQ(CountOf(rings.substr(0, rings.find("</g>")), "<circle"), 1U);
+}
+
 // Up is up and right is right: the corner of the open triangle.
 TEST(PlanSvg, LooksFromTheLitSide) {
   Isolux isolux = MadeFloor(10, 8);

@@ -185,9 +185,11 @@ class Placer {
     }
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const bool has_one = std::ranges::count(longest, i) > 0;
-      for (double way = has_one ? 2 * kLabelStep : kLabelStep / 2;
-           way < lengths_[i]; way += kLabelStep)
-        if (!PlaceOn(i, 0.5)) break;
+      const double first = has_one ? 2 * kLabelStep : kLabelStep / 2;
+      const auto count = static_cast<int>(
+          std::max(0.0, std::ceil((lengths_[i] - first) / kLabelStep)));
+      for (int k = 0; k < count && PlaceOn(i, 0.5); ++k) {
+      }
     }
     return std::move(labels_);
   }
@@ -227,8 +229,10 @@ class Placer {
     const double half = label.half_width;
     std::optional<GapLabel> best;
     double best_cost = HUGE_VAL;
-    for (double way = 1.5 * half; way <= course.length() - 1.5 * half;
-         way += kStep) {
+    const auto steps =
+        static_cast<int>(std::floor((course.length() - 3 * half) / kStep));
+    for (int step = 0; step <= steps; ++step) {
+      const double way = 1.5 * half + step * kStep;
       const auto [bend, chord] = course.BendOf(way - half, way + half);
       if (bend > kMostBend || chord < 1.8 * half) continue;
       const PaperPoint a = course.At(way - half);
@@ -257,12 +261,12 @@ class Placer {
     constexpr std::array<double, 3> kAway = {4, 10, 18};
     constexpr std::array<std::array<int, 2>, 8> kWays = {
         {{1, 0}, {-1, 0}, {0, -1}, {0, 1}, {1, -1}, {1, 1}, {-1, -1}, {-1, 1}}};
-    constexpr double kPoints = 8;
+    constexpr int kPoints = 8;
     const Course course(lines_[line].path);
     GapLabel label = LabelOf(line);
     std::optional<GapLabel> best;
     double best_cost = HUGE_VAL;
-    for (double k = 0; k <= kPoints; ++k) {
+    for (int k = 0; k <= kPoints; ++k) {
       const PaperPoint from = course.At(course.length() * k / kPoints);
       for (const double away : kAway) {
         for (const auto& way : kWays) {

@@ -42,7 +42,9 @@ std::vector<std::string> Wrapped(const std::string& text, double width) {
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t blank = std::min(text.find(' ', at), text.size());
     const std::string word = text.substr(at, blank - at);
-    const std::string longer = line.empty() ? word : line + " " + word;
+    std::string longer = line;
+    if (!line.empty()) longer += ' ';
+    longer += word;
     if (!line.empty() && PrintedWidth(longer, kFont) > width) {
       lines.push_back(line);
       line = word;

@@ -11,6 +11,7 @@ set(_truelux_pages
   "eval|irradiance at receivers in a scene"
   "gradient|how irradiance changes when receivers and vertices move"
   "inspect|all that one receiver sees, as a picture and as numbers"
+  "isolux|contours of irradiance on a flat surface, certified"
   "render|pictures of a scene, one irradiance a pixel"
   "stability|accuracy of every formula on hard families")
 

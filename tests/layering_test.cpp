@@ -43,12 +43,13 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
      {"base", "exact", "scene", "visibility", "text", "run", "explain",
       "surface"}},
     {"gradient", {"base", "text", "run"}},
+    {"plan", {"base", "text", "run", "draw"}},
     {"study",
      {"base", "scene", "visibility", "text", "run", "explain", "draw",
       "baselines"}},
     {"cli",
      {"base", "scene", "text", "run", "explain", "draw", "inspect", "compare",
-      "gradient", "image", "study", "baselines"}},
+      "gradient", "image", "isolux", "plan", "study", "baselines"}},
 };
 
 struct Source {

@@ -141,7 +141,12 @@ struct Isolux {
   std::vector<double> levels;
   std::vector<Contour> contours;  ///< by levels
   SurfaceLines lines;
-  /// The surface's outline, each side once, on both sides of it the same.
+  /// Of length 1, along the surface: as the lit side of the first face is seen,
+  /// `right` is to the right and `up`, the normal x `right`, is up. `right` is
+  /// the direction of the first side of that face, u of truelux render.
+  Vector3 right{};
+  Vector3 up{};
+  /// The surface's outline, walls or not, each of its sides once.
   std::vector<std::array<Point3, 2>> outline;
   /// What was not found lies in these triangles; all other parts of the surface
   /// (but for a margin of 2^-36 of its size along outlines and jumps) have the

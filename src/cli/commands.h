@@ -19,6 +19,8 @@ Command CompareCommand();
 Command GradientCommand();
 /// truelux inspect: all that one receiver sees, as a picture and as numbers.
 Command InspectCommand();
+/// truelux isolux: contours of irradiance on a flat surface.
+Command IsoluxCommand();
 /// truelux render: pictures of a scene, one irradiance a pixel.
 Command RenderCommand();
 /// truelux stability: how many digits each formula keeps in each arithmetic.

@@ -39,8 +39,8 @@ ExitStatus Run(int argc, char** argv) {
        .description = "Exact irradiance from polygons that others partly hide.",
        .version = std::string(VersionText()),
        .commands = {EvalCommand(), BenchCommand(), CompareCommand(),
-                    GradientCommand(), InspectCommand(), RenderCommand(),
-                    StabilityCommand()}},
+                    GradientCommand(), InspectCommand(), IsoluxCommand(),
+                    RenderCommand(), StabilityCommand()}},
       argc, argv);
 }
 

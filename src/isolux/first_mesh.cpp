@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -51,7 +50,6 @@ class MeshMaker {
       : scene_(scene), plan_(plan) {}
 
   void AddFaces(std::span<const int> faces) {
-    std::map<std::array<int, 2>, int> sides;
     for (const int face : faces) {
       const Face& f = scene_.faces()[static_cast<std::size_t>(face)];
       for (const Facet& facet :
@@ -61,15 +59,12 @@ class MeshMaker {
         for (const Triangle& triangle : scene_.triangles().subspan(
                  static_cast<std::size_t>(facet.first_triangle),
                  static_cast<std::size_t>(facet.triangle_count))) {
-          AddTriangle(triangle, sides);
+          AddTriangle(triangle);
         }
       }
     }
-    for (const auto& [ends, count] : sides) {
-      if (count == 1) {
-        segments_.push_back(
-            {PointOf(ends[0]), PointOf(ends[1]), SideKind::kOutline, -1});
-      }
+    for (const auto& [a, b] : OutlineOf(scene_, faces)) {
+      segments_.push_back({PointOf(a), PointOf(b), SideKind::kOutline, -1});
     }
   }
 
@@ -106,15 +101,10 @@ class MeshMaker {
         scene_.vertices()[static_cast<std::size_t>(vertex)]));
   }
 
-  void AddTriangle(const Triangle& triangle,
-                   std::map<std::array<int, 2>, int>& sides) {
+  void AddTriangle(const Triangle& triangle) {
     std::array<Point, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k)
       corners[k] = PointOf(triangle.vertices[k]);
-      const int a = triangle.vertices[k];
-      const int b = triangle.vertices[(k + 1) % 3];
-      ++sides[{std::min(a, b), std::max(a, b)}];
-    }
     if (CGAL::orientation(corners[0], corners[1], corners[2]) ==
         CGAL::RIGHT_TURN) {
       std::swap(corners[1], corners[2]);

@@ -68,13 +68,16 @@ class IsoluxFinder {
                                options_.threads, watch_);
     result_.lines.notes = prepared_.notes;
     result_.size = prepared_.size;
+    result_.right = prepared_.sides.front()->plan().VectorOf({1, 0});
+    result_.up = prepared_.sides.front()->plan().VectorOf({0, 1});
     for (const auto& side : prepared_.sides) {
       for (SurfaceLine& line :
            ShownLines(oracle_, side->side(), side->first().scale.size))
         result_.lines.lines.push_back(std::move(line));
       result_.lines.is_complete =
           result_.lines.is_complete && side->side().lines.is_complete;
-      AddOutline(side->plan(), side->first().mesh);
+      for (const auto& [a, b] : OutlineOf(oracle_.scene(), side->side().faces))
+        result_.outline.push_back({PointOf(a), PointOf(b)});
     }
     SetLevels();
     for (const auto& side : prepared_.sides)
@@ -84,17 +87,8 @@ class IsoluxFinder {
   }
 
  private:
-  void AddOutline(const PlanFrame& plan, const PlanMesh& mesh) {
-    for (const PlanTriangle& triangle : mesh.triangles()) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (triangle.kinds[k] != SideKind::kOutline) continue;
-        const auto at = [&](std::size_t corner) {
-          return plan.PointAt(mesh.points()[static_cast<std::size_t>(
-              triangle.corners[corner % 3])]);
-        };
-        result_.outline.push_back({at(k + 1), at(k + 2)});
-      }
-    }
+  [[nodiscard]] Point3 PointOf(int vertex) const {
+    return oracle_.scene().vertices()[static_cast<std::size_t>(vertex)];
   }
 
   void SetLevels() {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <tuple>
 #include <utility>
 
 #include "base/stop.h"
@@ -60,6 +62,33 @@ std::vector<int> FacesOfSide(const SurfaceFrame& frame, bool is_reverse) {
     if (looks_back == is_reverse) faces.push_back(face);
   }
   return faces;
+}
+
+std::vector<std::array<int, 2>> OutlineOf(const Scene& scene,
+                                          std::span<const int> faces) {
+  std::map<std::array<int, 2>, int> sides;
+  for (const int face : faces) {
+    const Face& f = scene.faces()[static_cast<std::size_t>(face)];
+    for (const Facet& facet :
+         scene.facets().subspan(static_cast<std::size_t>(f.first_facet),
+                                static_cast<std::size_t>(f.facet_count))) {
+      if (facet.is_back) continue;
+      for (const Triangle& triangle : scene.triangles().subspan(
+               static_cast<std::size_t>(facet.first_triangle),
+               static_cast<std::size_t>(facet.triangle_count))) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          const int a = triangle.vertices[k];
+          const int b = triangle.vertices[(k + 1) % 3];
+          ++sides[{std::min(a, b), std::max(a, b)}];
+        }
+      }
+    }
+  }
+  std::vector<std::array<int, 2>> outline;
+  for (const auto& [ends, count] : sides) {
+    if (count == 1) outline.push_back(ends);
+  }
+  return outline;
 }
 
 std::array<Point3, 3> CornersOfSurface(const Scene& scene,

@@ -6,6 +6,7 @@
 #define TRUELUX_SURFACE_SURFACE_LINES_H_
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "truelux/geometry.h"
@@ -41,7 +42,7 @@ struct ExactSurfaceLines {
 
 /// The segments where faces touch or cross the surface, and reach above it on
 /// the side that is lit. A face that touches it in points only makes none.
-/// faces: indices into Scene::faces() of one side of the surface (PartsOn).
+/// faces: FacesOfSide.
 std::vector<ExactSurfaceLine> JumpLinesOf(const Scene& scene,
                                           const SurfaceFrame& frame,
                                           std::span<const int> faces,
@@ -50,6 +51,12 @@ std::vector<ExactSurfaceLine> JumpLinesOf(const Scene& scene,
 
 /// The faces of a surface that look to one side.
 std::vector<int> FacesOfSide(const SurfaceFrame& frame, bool is_reverse);
+
+/// The sides of their triangles that only one of some faces has, by indices into
+/// Scene::vertices(): the outline, if no two of them overlap or meet in parts of
+/// sides.
+std::vector<std::array<int, 2>> OutlineOf(const Scene& scene,
+                                          std::span<const int> faces);
 
 /// All lines of a side. planes: EdgePlanesOf the surface.
 ExactSurfaceLines SurfaceLinesOf(const Scene& scene, const SurfaceFrame& frame,

@@ -19,7 +19,8 @@
 namespace truelux::test {
 namespace {
 
-/// A command in a folder that has "square.obj", "in.csv" and "values.csv".
+/// A command in a folder that has "square.obj", "floor.obj", "in.csv" and
+/// "values.csv".
 struct FaultyCommand {
   std::string name;
   std::vector<std::string> words;  ///< @ stands for the folder
@@ -55,6 +56,12 @@ class Faults : public testing::TestWithParam<FaultyCommand> {
     std::filesystem::copy_file(TRUELUX_FAIL_ONCE, library_);
     const std::string scene = WriteSquare(folder_);
     (void)folder_.Write("in.csv", Table(40));
+    (void)folder_.Write("floor.obj",
+                        std::string(kSquareObj) +
+                            "v -2 -2 0\nv 2 -2 0\nv 2 2 0\nv -2 2 0\n"
+                            "usemtl dark\no floor\nf 5 6 7 8\n");
+    (void)folder_.Write("square.mtl",
+                        std::string(kSquareMtl) + "newmtl dark\nKe 0 0 0\n");
     (void)folder_.Write("values.csv",
                         RunTruelux({"eval", scene, folder_ / "in.csv"}).out);
   }
@@ -179,6 +186,11 @@ INSTANTIATE_TEST_SUITE_P(
         FaultyCommand{"Gradient",
                       {"gradient", "@square.obj", "@in.csv", "-o", "@out.csv",
                        "--vertices", "@out", "--threads", "2"},
+                      true},
+        FaultyCommand{"Isolux",
+                      {"isolux", "@floor.obj", "--surface", "floor", "--count",
+                       "1", "--chord", "0.5", "--smallest", "0.5", "-o",
+                       "@out.csv", "--lines", "@out", "--threads", "2"},
                       true},
         FaultyCommand{"Bench",
                       {"bench", "@square.obj", "@in.csv", "-o", "@out.html",

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/cmd_isolux.h"
+
+#include <cstddef>
+#include <deque>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+#include "truelux/irradiance.h"
+#include "truelux/isolux.h"
+
+#include "cli/isolux_request.h"
+#include "cli/loading.h"
+#include "cli/output_paths.h"
+#include "isolux/isolux_run.h"
+#include "plan/plan_dxf.h"
+#include "plan/plan_json.h"
+#include "plan/plan_notes.h"
+#include "plan/plan_subject.h"
+#include "plan/plan_svg.h"
+#include "plan/plan_tables.h"
+#include "run/interrupt.h"
+#include "run/messages.h"
+#include "run/output_file.h"
+#include "run/user_error.h"
+#include "run/watch.h"
+#include "scene/emitters.h"
+
+namespace truelux {
+namespace {
+
+/// The arguments of the search are options here.
+template <class F>
+auto ByOptions(const F& f) {
+  try {
+    return f();
+  } catch (const std::invalid_argument& error) {
+    throw UserError(std::string("--") + error.what());
+  }
+}
+
+PlanSubject SubjectOf(const Scene& scene, const IsoluxRequest& request) {
+  PlanSubject subject;
+  subject.scene = std::filesystem::path(request.scene.path).filename().string();
+  subject.surface = request.surface;
+  subject.channel =
+      !request.wishes.channel && IsGrey(scene)
+          ? "all"
+          : Name(request.wishes.channel.value_or(ScalarChannel::kLuminance));
+  subject.options = request.options;
+  subject.vertex_numbers = VertexNumbers(scene);
+  return subject;
+}
+
+std::string FileText(PlanFormat format, const Isolux& isolux,
+                     const PlanSubject& subject) {
+  switch (format) {
+    case PlanFormat::kCsv:
+      break;
+    case PlanFormat::kJson:
+      return PlanJson(isolux, subject);
+    case PlanFormat::kSvg:
+      return PlanSvg(isolux, subject);
+    case PlanFormat::kDxf:
+      return PlanDxf(isolux);
+  }
+  return ContourCsv(isolux);
+}
+
+/// With the lines alone as a result if no more is asked for.
+Isolux Find(const Oracle& oracle, const IsoluxRequest& request) {
+  if (!request.only_lines) {
+    return FindIsolux(oracle, request.surface, request.wishes,
+                      UserAtTerminal());
+  }
+  Isolux isolux;
+  isolux.lines = FindSurfaceLines(oracle, request.surface, UserAtTerminal());
+  return isolux;
+}
+
+void PrintNotes(const Isolux& isolux, const IsoluxRequest& request) {
+  Print(isolux.lines.notes);
+  for (const std::string& note :
+       request.only_lines ? LineNotes(isolux.lines) : PlanNotes(isolux))
+    PrintNote(note);
+  if (!request.only_lines) PrintNote(WorkNote(isolux));
+}
+
+}  // namespace
+
+ExitStatus RunIsolux(const IsoluxArguments& arguments) {
+  const IsoluxRequest request = ParseIsoluxRequest(arguments);
+  CheckOutputs(request.outputs);
+  // Opened before the long work, so that a bad path is known at once.
+  std::deque<OutputFile> files;
+  for (const OutputPath& output : request.outputs)
+    files.emplace_back(output.path);
+
+  const Oracle oracle(LoadScene(request.scene, request.outputs),
+                      request.options);
+  const Isolux isolux = ByOptions([&] { return Find(oracle, request); });
+  PrintNotes(isolux, request);
+
+  const PlanSubject subject = SubjectOf(oracle.scene(), request);
+  for (std::size_t i = 0; i < request.formats.size(); ++i) {
+    StopIfInterrupted();
+    files[i].Write(FileText(request.formats[i], isolux, subject));
+  }
+  if (request.has_lines)
+    files.back().Write(SurfaceLineCsv(isolux.lines, subject.vertex_numbers));
+  // Names are given at the very end, when nothing can fail but the naming.
+  for (OutputFile& file : files)
+    file.Finish();
+  StopIfInterrupted();
+  for (OutputFile& file : files)
+    file.Commit();
+  return ExitStatus::kDone;
+}
+
+}  // namespace truelux

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/isolux_request.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fmt/format.h>
+#include <optional>
+#include <string_view>
+
+#include "truelux/io.h"
+
+#include "base/ascii_case.h"
+#include "cli/option_values.h"
+#include "cli/oracle_arguments.h"
+#include "run/interrupt.h"
+#include "run/user_error.h"
+#include "text/csv.h"
+
+namespace truelux {
+namespace {
+
+/// Standard output gets a table.
+PlanFormat FormatOf(const std::string& path) {
+  if (path.empty()) return PlanFormat::kCsv;
+  const std::string ending =
+      LowerAscii(std::filesystem::path(path).extension().string());
+  if (ending == ".csv") return PlanFormat::kCsv;
+  if (ending == ".json") return PlanFormat::kJson;
+  if (ending == ".svg") return PlanFormat::kSvg;
+  if (ending == ".dxf") return PlanFormat::kDxf;
+  throw UsageError(fmt::format(
+      "--output: '{}' ends with none of .csv, .json, .svg and .dxf", path));
+}
+
+void ParseOutputs(const IsoluxArguments& arguments, IsoluxRequest& request) {
+  for (const std::string& word : arguments.outputs) {
+    std::string path = PathValue("--output", word);
+    if (path == "-") path.clear();
+    request.formats.push_back(FormatOf(path));
+    request.outputs.push_back({"--output", path});
+  }
+  if (request.only_lines && !request.formats.empty()) {
+    throw UsageError(
+        "--count 0 finds no contours, only --lines: --output has nothing to "
+        "write");
+  }
+  if (request.formats.empty() && !request.only_lines) {
+    request.formats.push_back(PlanFormat::kCsv);
+    request.outputs.push_back({"--output", ""});
+  }
+  const std::string lines = PathValue("--lines", arguments.lines);
+  if (lines == "-") throw UsageError("--lines: '-' is no file");
+  request.has_lines = !lines.empty();
+  if (request.has_lines) request.outputs.push_back({"--lines", lines});
+  if (request.only_lines && !request.has_lines)
+    throw UsageError("nothing to write: --count 0 needs --lines");
+}
+
+std::vector<double> ParseLevels(std::string_view words) {
+  std::vector<double> levels;
+  for (std::size_t at = 0; at <= words.size();) {
+    const std::size_t comma = std::min(words.find(',', at), words.size());
+    const std::string word(TrimBlanks(words.substr(at, comma - at)));
+    const std::optional<double> level = ParseNumber(word);
+    if (!level || !(*level > 0)) {
+      throw UsageError(
+          fmt::format("--levels: '{}' is not a number above 0", word));
+    }
+    if (!levels.empty() && !(*level > levels.back())) {
+      throw UsageError(
+          fmt::format("--levels: {} comes after {}: they must ascend", word,
+                      levels.back()));
+    }
+    levels.push_back(*level);
+    at = comma + 1;
+  }
+  return levels;
+}
+
+void ParseWishes(const IsoluxArguments& arguments, IsoluxRequest& request) {
+  constexpr std::int64_t kMostLevels = 10000;
+  constexpr std::int64_t kMostTriangles = 1'000'000'000;
+  IsoluxOptions& wishes = request.wishes;
+  if (arguments.levels && arguments.count)
+    throw UsageError("--levels and --count say the same: give one of them");
+  if (arguments.levels) wishes.levels = ParseLevels(*arguments.levels);
+  if (arguments.count) {
+    wishes.count = static_cast<int>(
+        WholeNumberValue("--count", *arguments.count, 0, kMostLevels));
+    request.only_lines = wishes.count == 0;
+  }
+  for (const ScalarChannel channel :
+       {ScalarChannel::kLuminance, ScalarChannel::kRed, ScalarChannel::kGreen,
+        ScalarChannel::kBlue}) {
+    if (arguments.channel && *arguments.channel == Name(channel))
+      wishes.channel = channel;
+  }
+  wishes.chord = SizeValue("--chord", arguments.chord);
+  wishes.half_width = SizeValue("--half-width", arguments.half_width);
+  wishes.smallest = SizeValue("--smallest", arguments.smallest);
+  if (arguments.most_triangles) {
+    wishes.most_triangles = static_cast<std::size_t>(WholeNumberValue(
+        "--most-triangles", *arguments.most_triangles, 1, kMostTriangles));
+  }
+}
+
+}  // namespace
+
+IsoluxRequest ParseIsoluxRequest(const IsoluxArguments& arguments) {
+  IsoluxRequest request;
+  request.scene = SceneRequestOf(arguments.scene);
+  if (arguments.surface.empty())
+    throw UsageError("--surface: the name is empty");
+  request.surface = arguments.surface;
+  ParseWishes(arguments, request);
+  ParseOutputs(arguments, request);
+  request.options.method = MethodOf(arguments.method);
+  request.options.emission = EmissionOf(arguments.emission);
+  request.options.stop = InterruptFlag();
+  request.wishes.threads = ThreadsOf(arguments.threads);
+  return request;
+}
+
+}  // namespace truelux

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the words of truelux isolux ask for.
+
+#ifndef TRUELUX_CLI_ISOLUX_REQUEST_H_
+#define TRUELUX_CLI_ISOLUX_REQUEST_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "truelux/irradiance.h"
+#include "truelux/isolux.h"
+
+#include "cli/input_arguments.h"
+#include "cli/output_paths.h"
+
+namespace truelux {
+
+/// The words of the command line, before they are looked at.
+struct IsoluxArguments {
+  SceneArguments scene;
+  std::string surface;
+  std::optional<std::string> levels;
+  std::optional<std::string> count;
+  std::optional<std::string> channel;
+  std::vector<std::string> outputs;
+  std::optional<std::string> lines;
+  std::string chord = "0";
+  std::string half_width = "0";
+  std::string smallest = "0";
+  std::optional<std::string> most_triangles;
+  std::string method;
+  std::string emission;
+  std::string threads;
+};
+
+/// How contours are written.
+enum class PlanFormat { kCsv, kJson, kSvg, kDxf };
+
+/// What is to be done, as plain values.
+struct IsoluxRequest {
+  SceneRequest scene;
+  std::string surface;
+  OracleOptions options;
+  IsoluxOptions wishes;
+  /// No contours are looked for, only the lines at which light jumps.
+  bool only_lines = false;
+  /// All files that are written: of contours in `formats`, then the lines, if
+  /// has_lines.
+  OutputPaths outputs;
+  std::vector<PlanFormat> formats;
+  bool has_lines = false;
+};
+
+/// Throws UsageError if the words do not fit together or are no numbers.
+IsoluxRequest ParseIsoluxRequest(const IsoluxArguments& arguments);
+
+}  // namespace truelux
+
+#endif  // TRUELUX_CLI_ISOLUX_REQUEST_H_

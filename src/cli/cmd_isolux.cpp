@@ -13,6 +13,7 @@
 #include "cli/isolux_request.h"
 #include "cli/loading.h"
 #include "cli/output_paths.h"
+#include "isolux/extrema_run.h"
 #include "isolux/isolux_run.h"
 #include "plan/plan_dxf.h"
 #include "plan/plan_json.h"
@@ -70,21 +71,40 @@ std::string FileText(PlanFormat format, const Isolux& isolux,
 
 /// With the lines alone as a result if no more is asked for.
 Isolux Find(const Oracle& oracle, const IsoluxRequest& request) {
-  if (!request.only_lines) {
+  if (request.has_contours) {
     return FindIsolux(oracle, request.surface, request.wishes,
                       UserAtTerminal());
   }
   Isolux isolux;
-  isolux.lines = FindSurfaceLines(oracle, request.surface, UserAtTerminal());
+  if (request.has_lines) {
+    isolux.lines = FindSurfaceLines(oracle, request.surface, UserAtTerminal());
+  }
   return isolux;
 }
 
 void PrintNotes(const Isolux& isolux, const IsoluxRequest& request) {
   Print(isolux.lines.notes);
-  for (const std::string& note :
-       request.only_lines ? LineNotes(isolux.lines) : PlanNotes(isolux))
+  if (request.has_contours) {
+    for (const std::string& note : PlanNotes(isolux))
+      PrintNote(note);
+    PrintNote(WorkNote(isolux));
+  } else if (request.has_lines) {
+    for (const std::string& note : LineNotes(isolux.lines))
+      PrintNote(note);
+  }
+}
+
+SurfaceExtrema FindExtrema(const Oracle& oracle, const IsoluxRequest& request) {
+  ExtremaOptions wishes;
+  wishes.channel = request.wishes.channel;
+  wishes.threads = request.wishes.threads;
+  SurfaceExtrema extrema =
+      FindExtrema(oracle, request.surface, wishes, UserAtTerminal());
+  // The same notes as of the contours, if there are some.
+  if (!request.has_contours && !request.has_lines) Print(extrema.notes);
+  for (const std::string& note : ExtremaNotes(extrema))
     PrintNote(note);
-  if (!request.only_lines) PrintNote(WorkNote(isolux));
+  return extrema;
 }
 
 }  // namespace
@@ -101,14 +121,22 @@ ExitStatus RunIsolux(const IsoluxArguments& arguments) {
                       request.options);
   const Isolux isolux = ByOptions([&] { return Find(oracle, request); });
   PrintNotes(isolux, request);
+  std::string extrema;
+  if (request.has_extrema) {
+    extrema =
+        ExtremaCsv(ByOptions([&] { return FindExtrema(oracle, request); }));
+  }
 
   const PlanSubject subject = SubjectOf(oracle.scene(), request);
   for (std::size_t i = 0; i < request.formats.size(); ++i) {
     StopIfInterrupted();
     files[i].Write(FileText(request.formats[i], isolux, subject));
   }
-  if (request.has_lines)
-    files.back().Write(SurfaceLineCsv(isolux.lines, subject.vertex_numbers));
+  std::size_t next = request.formats.size();
+  if (request.has_lines) {
+    files[next++].Write(SurfaceLineCsv(isolux.lines, subject.vertex_numbers));
+  }
+  if (request.has_extrema) files[next].Write(extrema);
   // Names are given at the very end, when nothing can fail but the naming.
   for (OutputFile& file : files)
     file.Finish();

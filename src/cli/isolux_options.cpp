@@ -40,7 +40,8 @@ constexpr const char* kExamples =
     "  truelux isolux room.obj --surface floor -o floor.svg\n"
     "  truelux isolux room.obj --surface floor --levels 0.1,0.2,0.5 \\\n"
     "      -o floor.dxf -o floor.json --lines lines.csv\n"
-    "  truelux isolux room.obj --surface floor --count 0 --lines lines.csv\n";
+    "  truelux isolux room.obj --surface floor --count 0 --lines lines.csv \\\n"
+    "      --extrema extrema.csv\n";
 
 std::vector<OptionRow> OptionsOf(IsoluxArguments& arguments) {
   return {
@@ -59,7 +60,8 @@ std::vector<OptionRow> OptionsOf(IsoluxArguments& arguments) {
        .value = "N",
        .help =
            "instead of them: so many between the least and the largest\n"
-           "value that is met, by default 10; 0: no contours, only --lines"},
+           "value that is met, by default 10; 0: no contours, only --lines\n"
+           "and --extrema"},
       {.name = "--channel",
        .target = &arguments.channel,
        .help = "what contours are of; by default luminance, 0.2126 r +\n"
@@ -78,6 +80,14 @@ std::vector<OptionRow> OptionsOf(IsoluxArguments& arguments) {
                "kind,x0,y0,z0,x1,y1,z1, then b_r,b_g,b_b of kinks, and of\n"
                "jumps E to the left and right left_r .. right_b, then faces\n"
                "and edges by the numbers of the OBJ file"},
+      {.name = "--extrema",
+       .target = &arguments.extrema,
+       .value = "FILE.csv",
+       .help =
+           "maxima, minima and saddles, those at walls and outlines\n"
+           "included: kind,x,y,z,E,least,most,radius,on; the extremum is\n"
+           "proven to be from least to most, within the radius. Further\n"
+           "ones are in the regions of kind undecided, or where it is dark"},
       {.name = "--chord",
        .target = &arguments.chord,
        .value = "T",

@@ -41,12 +41,12 @@ void ParseOutputs(const IsoluxArguments& arguments, IsoluxRequest& request) {
     request.formats.push_back(FormatOf(path));
     request.outputs.push_back({"--output", path});
   }
-  if (request.only_lines && !request.formats.empty()) {
+  if (!request.has_contours && !request.formats.empty()) {
     throw UsageError(
-        "--count 0 finds no contours, only --lines: --output has nothing to "
-        "write");
+        "--count 0 finds no contours, only --lines and --extrema: --output has "
+        "nothing to write");
   }
-  if (request.formats.empty() && !request.only_lines) {
+  if (request.formats.empty() && request.has_contours) {
     request.formats.push_back(PlanFormat::kCsv);
     request.outputs.push_back({"--output", ""});
   }
@@ -54,8 +54,13 @@ void ParseOutputs(const IsoluxArguments& arguments, IsoluxRequest& request) {
   if (lines == "-") throw UsageError("--lines: '-' is no file");
   request.has_lines = !lines.empty();
   if (request.has_lines) request.outputs.push_back({"--lines", lines});
-  if (request.only_lines && !request.has_lines)
-    throw UsageError("nothing to write: --count 0 needs --lines");
+  const std::string extrema = PathValue("--extrema", arguments.extrema);
+  if (extrema == "-") throw UsageError("--extrema: '-' is no file");
+  request.has_extrema = !extrema.empty();
+  if (request.has_extrema) request.outputs.push_back({"--extrema", extrema});
+  if (request.outputs.empty()) {
+    throw UsageError("nothing to write: --count 0 needs --lines or --extrema");
+  }
 }
 
 std::vector<double> ParseLevels(std::string_view words) {
@@ -89,7 +94,7 @@ void ParseWishes(const IsoluxArguments& arguments, IsoluxRequest& request) {
   if (arguments.count) {
     wishes.count = static_cast<int>(
         WholeNumberValue("--count", *arguments.count, 0, kMostLevels));
-    request.only_lines = wishes.count == 0;
+    request.has_contours = wishes.count > 0;
   }
   for (const ScalarChannel channel :
        {ScalarChannel::kLuminance, ScalarChannel::kRed, ScalarChannel::kGreen,

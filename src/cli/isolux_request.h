@@ -25,6 +25,7 @@ struct IsoluxArguments {
   std::optional<std::string> channel;
   std::vector<std::string> outputs;
   std::optional<std::string> lines;
+  std::optional<std::string> extrema;
   std::string chord = "0";
   std::string half_width = "0";
   std::string smallest = "0";
@@ -43,13 +44,13 @@ struct IsoluxRequest {
   std::string surface;
   OracleOptions options;
   IsoluxOptions wishes;
-  /// No contours are looked for, only the lines at which light jumps.
-  bool only_lines = false;
+  bool has_contours = true;  ///< whether contours are looked for
   /// All files that are written: of contours in `formats`, then the lines, if
-  /// has_lines.
+  /// has_lines, and extrema, if has_extrema.
   OutputPaths outputs;
   std::vector<PlanFormat> formats;
   bool has_lines = false;
+  bool has_extrema = false;
 };
 
 /// Throws UsageError if the words do not fit together or are no numbers.

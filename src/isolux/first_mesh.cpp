@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+// Without it CGAL warns in builds with assertions that exact numbers are slow.
+#define CGAL_NO_CDT_2_WARNING
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Triangulation_data_structure_2.h>

@@ -118,6 +118,35 @@ std::vector<std::string> PlanNotes(const Isolux& isolux) {
   return notes;
 }
 
+std::vector<std::string> ExtremaNotes(const SurfaceExtrema& extrema) {
+  const auto count = [&extrema](ExtremumKind kind) {
+    return std::ranges::count(extrema.points, kind, &SurfaceExtremum::kind);
+  };
+  std::vector<std::string> notes;
+  const auto counted = [&count](ExtremumKind kind, std::string_view one,
+                                std::string_view more) {
+    const auto found = count(kind);
+    return fmt::format("{} {}", found, found == 1 ? one : more);
+  };
+  notes.push_back(
+      fmt::format("proven are {}, {} and {}",
+                  counted(ExtremumKind::kMaximum, "maximum", "maxima"),
+                  counted(ExtremumKind::kMinimum, "minimum", "minima"),
+                  counted(ExtremumKind::kSaddle, "saddle", "saddles")));
+  if (!extrema.undecided.empty()) {
+    notes.push_back(fmt::format(
+        "further ones may be in {} regions ({} of the surface){}",
+        extrema.undecided.size(),
+        ShareText(extrema.undecided_area, extrema.area),
+        extrema.dark_area > 0 ? ", at the borders of shadows among others"
+                              : ""));
+  }
+  notes.push_back(fmt::format(
+      "irradiance on the whole surface is proven to be from {} to {} W/m^2",
+      ShortNumber(extrema.least), ShortNumber(extrema.most)));
+  return notes;
+}
+
 std::string WorkNote(const Isolux& isolux) {
   const std::size_t vertices = CountsOf(isolux).vertices;
   std::string text = fmt::format(

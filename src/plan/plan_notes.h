@@ -18,6 +18,10 @@ namespace truelux {
 /// are all.
 [[nodiscard]] std::vector<std::string> LineNotes(const SurfaceLines& lines);
 
+/// What is proven about extrema, a sentence each.
+[[nodiscard]] std::vector<std::string> ExtremaNotes(
+    const SurfaceExtrema& extrema);
+
 /// How often irradiance was asked for.
 [[nodiscard]] std::string WorkNote(const Isolux& isolux);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plan/plan_tables.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "text/results.h"
@@ -100,6 +102,39 @@ std::string SurfaceLineCsv(const SurfaceLines& lines,
     for (std::size_t i = 0; i < line.faces.size(); ++i)
       text += (i == 0 ? "" : ";") + std::to_string(line.faces[i]);
     text += ',' + EdgeText(line.edges, vertex_numbers) + '\n';
+  }
+  return text;
+}
+
+std::string ExtremaCsv(const SurfaceExtrema& extrema) {
+  std::string text = "kind,x,y,z,E,least,most,radius,on\n";
+  for (const SurfaceExtremum& point : extrema.points) {
+    text += Name(point.kind);
+    AppendFields(text, point.at);
+    for (const double value :
+         {point.value, point.least, point.most, point.radius})
+      AppendField(text, value);
+    text += ',';
+    text += Name(point.on);
+    text += '\n';
+  }
+  for (const UndecidedRegion& region : extrema.undecided) {
+    const auto& [a, b, c] = region.triangles.front();
+    const Point3 middle = {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3,
+                           (a.z + b.z + c.z) / 3};
+    double radius = 0;
+    for (const auto& corners : region.triangles) {
+      for (const Point3& p : corners) {
+        radius = std::max(
+            radius, std::hypot(p.x - middle.x, p.y - middle.y, p.z - middle.z));
+      }
+    }
+    text += "undecided";
+    AppendFields(text, middle);
+    text += ',';
+    for (const double value : {region.least, region.most, radius})
+      AppendField(text, value);
+    text += ",\n";
   }
   return text;
 }

@@ -31,6 +31,10 @@ namespace truelux {
 [[nodiscard]] std::string SurfaceLineCsv(const SurfaceLines& lines,
                                          std::span<const int> vertex_numbers);
 
+/// One row a critical point, then one a region that is undecided, with the middle
+/// of its first triangle as its place and no E.
+[[nodiscard]] std::string ExtremaCsv(const SurfaceExtrema& extrema);
+
 }  // namespace truelux
 
 #endif  // TRUELUX_PLAN_PLAN_TABLES_H_

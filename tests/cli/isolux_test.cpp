@@ -187,6 +187,28 @@ TEST_F(IsoluxCommandLine, LinesAlone) {
   EXPECT_GT(RowsOf(ReadFile(lines)).size(), 4U);
 }
 
+TEST_F(IsoluxCommandLine, ExtremaAlone) {
+  const std::string extrema = folder_ / "extrema.csv";
+  const Outcome outcome =
+      Run(plain_, {"--count", "0", "--extrema", extrema, "--threads", "2"});
+  EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(Contains(outcome.err, "1 maximum, 4 minima and 0 saddles"))
+      << outcome.err;
+  EXPECT_TRUE(Contains(outcome.err, "is proven to be from"));
+  const auto rows = RowsOf(ReadFile(extrema));
+  EXPECT_EQ(rows[0],
+            (std::vector<std::string>{"kind", "x", "y", "z", "E", "least",
+                                      "most", "radius", "on"}));
+  std::size_t maxima = 0;
+  for (const auto& row : rows)
+    maxima += row[0] == "maximum" ? 1 : 0;
+  EXPECT_EQ(maxima, 1U);
+  const std::string again = folder_ / "again.csv";
+  EXPECT_EQ(Run(plain_, {"--count", "0", "--extrema", again}).exit_status, 0);
+  EXPECT_EQ(ReadFile(again), ReadFile(extrema));
+}
+
 TEST_F(IsoluxCommandLine, RadianceIsPiTimesAsMuch) {
   const auto most = [&](const char* emission) {
     const std::string file = folder_ / "most.json";
@@ -240,6 +262,7 @@ TEST_F(IsoluxCommandLine, WrongWordsAreRefusedInOneLine) {
       {{"-o", folder_ / "svg"}, "ends with none of .csv, .json, .svg and"},
       {{"-o", ""}, "--output: the file name is empty"},
       {{"--lines", "-"}, "--lines: '-' is no file"},
+      {{"--extrema", "-"}, "--extrema: '-' is no file"},
       {{"--lines", folder_ / "./out.csv"}, "are the same file"},
       {{"-o", "-", "-o", "-"}, "are the same file"},
       {{"-o", box_}, "ends with none of .csv"}};

@@ -97,6 +97,29 @@ TEST(PlanTables, LinesNameFacesAndEdges) {
             "kink,0,1,1,10,7,1,-0.5,0.25,1e-300,,,,,,,,11-13;cut\n");
 }
 
+TEST(PlanTables, ExtremaAndWhatIsUndecided) {
+  SurfaceExtrema extrema;
+  extrema.points.push_back({ExtremumKind::kSaddle,
+                            {1, 2, 3},
+                            0.5,
+                            0.25,
+                            0.75,
+                            0.125,
+                            ContourPlace::kInside});
+  extrema.points.push_back(
+      {ExtremumKind::kMaximum, {0, 0, 0}, 1, 1, 1, 0, ContourPlace::kJump});
+  UndecidedRegion region;
+  region.triangles.push_back({{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}}});
+  region.least = 0.5;
+  region.most = 2;
+  extrema.undecided.push_back(region);
+  EXPECT_EQ(ExtremaCsv(extrema),
+            "kind,x,y,z,E,least,most,radius,on\n"
+            "saddle,1,2,3,0.5,0.25,0.75,0.125,inside\n"
+            "maximum,0,0,0,1,1,1,0,jump\n"
+            "undecided,1,1,0,,0.5,2,2.23606797749979,\n");
+}
+
 TEST(PlanTables, VerticesHaveTheNumbersOfTheFile) {
   SceneBuilder builder("scene");
   const Ring ring = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

@@ -69,6 +69,26 @@ TEST(PlanNotes, NumbersAreShort) {
   EXPECT_EQ(ShareText(0, 0), "0 %");
 }
 
+TEST(PlanNotes, CountExtrema) {
+  SurfaceExtrema extrema;
+  extrema.least = 0.25;
+  extrema.most = 2;
+  EXPECT_EQ(ExtremaNotes(extrema),
+            (std::vector<std::string>{
+                "proven are 0 maxima, 0 minima and 0 saddles",
+                "irradiance on the whole surface is proven to be from 0.25 to "
+                "2 W/m^2"}));
+  extrema.points.resize(2);
+  extrema.points[1].kind = ExtremumKind::kSaddle;
+  extrema.undecided.resize(3);
+  extrema.area = 8;
+  extrema.undecided_area = 1;
+  EXPECT_EQ(ExtremaNotes(extrema)[0],
+            "proven are 1 maximum, 0 minima and 1 saddle");
+  EXPECT_EQ(ExtremaNotes(extrema)[1],
+            "further ones may be in 3 regions (12 % of the surface)");
+}
+
 TEST(PlanNotes, SayIfLinesMayBeMissing) {
   SurfaceLines lines;
   EXPECT_EQ(LineNotes(lines).size(), 1U);

@@ -2,6 +2,7 @@
 #include "isolux/first_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -10,16 +11,19 @@
 // Without it CGAL warns in builds with assertions that exact numbers are slow.
 #define CGAL_NO_CDT_2_WARNING
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Filtered_kernel.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/mpq_class.h>
 
 namespace truelux {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+// Lazy numbers would be faster; a thread that uses them for the first time ends
+// the process where there is no memory for that.
+using Kernel = CGAL::Filtered_kernel<CGAL::Simple_cartesian<CGAL::Gmpq>>;
 using Vertices = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using Faces = CGAL::Triangulation_face_base_with_info_2<
     int, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
@@ -30,7 +34,7 @@ using Plane =
 using Point = Kernel::Point_2;
 
 Kernel::FT ExactOf(const mpq_class& q) {
-  return Kernel::FT(Kernel::FT::ET(q.get_mpq_t()));
+  return Kernel::FT(q.get_mpq_t());
 }
 
 /// A constraint, and what it is of.
@@ -39,9 +43,27 @@ struct Segment {
   Point to;
   SideKind kind = SideKind::kOutline;
   int line = -1;
+  std::array<double, 2> near_from{CGAL::to_double(from.x()),
+                                  CGAL::to_double(from.y())};
+  std::array<double, 2> near_to{CGAL::to_double(to.x()),
+                                CGAL::to_double(to.y())};
+
+  /// Whether double proves that a point is away from the segment: what is
+  /// rounded is far below 2^-30 of the lengths.
+  [[nodiscard]] bool IsClearlyAway(const Point& p) const {
+    const double ax = CGAL::to_double(p.x()) - near_from[0];
+    const double ay = CGAL::to_double(p.y()) - near_from[1];
+    const double bx = near_to[0] - near_from[0];
+    const double by = near_to[1] - near_from[1];
+    const double size = std::hypot(near_from[0], near_from[1]) +
+                        std::hypot(near_to[0], near_to[1]) + std::hypot(ax, ay);
+    const double aside = 0x1p-30 * size * (std::hypot(bx, by) + size);
+    return std::fabs(ax * by - ay * bx) > aside || ax * bx + ay * by < -aside ||
+           ax * bx + ay * by > bx * bx + by * by + aside;
+  }
 
   [[nodiscard]] bool Holds(const Point& p) const {
-    return CGAL::collinear(from, p, to) &&
+    return !IsClearlyAway(p) && CGAL::collinear(from, p, to) &&
            CGAL::collinear_are_ordered_along_line(from, p, to);
   }
 };

@@ -130,7 +130,7 @@ struct IsoluxOptions {
   std::optional<ScalarChannel> channel;
   double half_width = 0;  ///< of transversals [length]; 0: 1e-9 of the size
   double chord = 0;     ///< most width of a chord [length]; 0: 1e-3 of the size
-  double smallest = 0;  ///< triangles get no smaller [length]; 0: 2^-16
+  double smallest = 0;  ///< triangles get no smaller [length]; 0: 2^-18
   std::size_t most_triangles = 0;  ///< 0: 4 million
   int threads = 1;                 ///< 1 .. 1024
   ProgressHook progress{};
@@ -151,6 +151,8 @@ struct Isolux {
   /// What was not found lies in these triangles; all other parts of the surface
   /// (but for a margin of 2^-36 of its size along outlines and jumps) have the
   /// contours that are listed and no others.
+  /// Where E is constant and is a level, there are no contours but open
+  /// triangles.
   std::vector<OpenTriangle> open;
   double size = 0;       ///< longer side of the surface's extent [length]
   double area = 0;       ///< [length^2]
@@ -220,9 +222,9 @@ struct ExtremaOptions {
 /// All local maxima, minima and saddles of E on a flat surface, those at its
 /// outline, at walls and on kinks included. By `oracle`, as IsoluxOf. Throws as
 /// IsoluxOf does.
-[[nodiscard]] TRUELUX_EXPORT SurfaceExtrema ExtremaOf(
-    const Oracle& oracle, const std::string& surface,
-    const ExtremaOptions& options);
+[[nodiscard]] TRUELUX_EXPORT SurfaceExtrema
+ExtremaOf(const Oracle& oracle, const std::string& surface,
+          const ExtremaOptions& options);
 
 /// The contours of a flat surface. By `oracle`: its method, engine, emission and
 /// stop flag. The result does not depend on threads.

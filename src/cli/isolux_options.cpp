@@ -103,7 +103,7 @@ std::vector<OptionRow> OptionsOf(IsoluxArguments& arguments) {
        .target = &arguments.smallest,
        .value = "L",
        .help = "triangles of the search get no smaller [length];\n"
-               "0: 2^-16 of it",
+               "0: 2^-18 of it",
        .show_default = true},
       {.name = "--most-triangles",
        .target = &arguments.most_triangles,

@@ -58,7 +58,7 @@ void Narrow(MeshSearch& search, std::vector<int> group, double size,
   while (smallest >= kFinest && group.size() <= kMostAround &&
          search.mesh().triangles().size() < kMostTriangles) {
     const std::size_t before = group.size();
-    group = search.Settle(goal, {smallest * size, kMostTriangles},
+    group = search.Settle(goal, {smallest * size, 0, kMostTriangles},
                           std::move(group), threads, watch);
     if (group.size() > before + before / 2 + 16) return;
     smallest *= kStep;
@@ -70,7 +70,7 @@ void NarrowSummits(SideSearch& side, double size, int threads,
                    const Watch& watch) {
   MeshSearch& search = side.search();
   // Nothing more is halved for the goal itself.
-  const SearchLimits none = {HUGE_VAL, kMostTriangles};
+  const SearchLimits none = {HUGE_VAL, 0, kMostTriangles};
   for (int step = 0; step < kMostSteps; ++step) {
     std::vector<int> open;
     for (const Summit& summit : SummitsOf(search, side.features())) {
@@ -88,7 +88,7 @@ void NarrowSummits(SideSearch& side, double size, int threads,
 
 CriticalPoints Search(SideSearch& side, double size, int threads,
                       const Watch& watch) {
-  side.search().Settle(CriticalGoal(), {kCoarsest * size, kMostTriangles},
+  side.search().Settle(CriticalGoal(), {kCoarsest * size, 0, kMostTriangles},
                        threads, watch);
   const std::vector<bool> is_dark = DarkPoints(side.search());
   for (const std::vector<int>& group : GroupsOf(side.search())) {

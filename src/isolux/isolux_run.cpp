@@ -25,7 +25,8 @@ namespace {
 /// Where nothing is asked for.
 constexpr double kHalfWidth = 1e-9;
 constexpr double kChord = 1e-3;
-constexpr double kSmallest = 0x1p-16;
+constexpr double kSmallest = 0x1p-18;
+constexpr double kPlateau = 0x1p-4;
 constexpr std::size_t kMostTriangles = 4'000'000;
 
 void CheckNumber(const char* name, double value) {
@@ -117,6 +118,7 @@ class IsoluxFinder {
     SearchLimits limits;
     limits.smallest =
         options_.smallest > 0 ? options_.smallest : kSmallest * result_.size;
+    limits.plateau = kPlateau * result_.size;
     limits.most_triangles =
         options_.most_triangles > 0 ? options_.most_triangles : kMostTriangles;
     side.search().Settle(LevelGoal(result_.levels), limits, options_.threads,

@@ -26,6 +26,15 @@ double LevelGoal::UsefulChange(const KnownTriangle& known) const {
   return useful;
 }
 
+bool LevelGoal::IsFlat(const KnownTriangle& known) const {
+  const LightSample& centre = known.centre;
+  return centre.is_defined &&
+         LengthOf(centre.gradient) <= centre.gradient_bound &&
+         std::ranges::any_of(levels_, [&](double level) {
+           return !centre.light.IsAbove(level) && !centre.light.IsBelow(level);
+         });
+}
+
 bool LevelGoal::IsSettled(const PlanMesh& mesh, int triangle,
                           const KnownTriangle& known) const {
   const std::array<PlanPoint, 3> corners = mesh.CornersOf(triangle);

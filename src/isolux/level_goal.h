@@ -22,6 +22,8 @@ class LevelGoal : public SearchGoal {
   explicit LevelGoal(std::span<const double> levels) : levels_(levels) {}
 
   [[nodiscard]] double UsefulChange(const KnownTriangle& known) const override;
+  /// A level that is the value of a plateau.
+  [[nodiscard]] bool IsFlat(const KnownTriangle& known) const override;
   [[nodiscard]] bool IsSettled(const PlanMesh& mesh, int triangle,
                                const KnownTriangle& known) const override;
 

@@ -137,7 +137,10 @@ std::vector<int> MeshSearch::Settle(const SearchGoal& goal,
       const KnownTriangle& known = known_[static_cast<std::size_t>(triangle)];
       // Halving another one may have changed it meanwhile.
       if (!known.is_known || known.is_settled) continue;
-      if (mesh_.LongestSideOf(triangle) < 2 * limits.smallest ||
+      const double least = goal.IsFlat(known)
+                               ? std::max(limits.smallest, limits.plateau)
+                               : limits.smallest;
+      if (mesh_.LongestSideOf(triangle) < 2 * least ||
           mesh_.triangles().size() >= limits.most_triangles) {
         left.push_back(triangle);
       } else {

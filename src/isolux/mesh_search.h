@@ -36,6 +36,7 @@ struct KnownTriangle {
 /// When the search ends.
 struct SearchLimits {
   double smallest = 0;  ///< sides are not halved below it [length]
+  double plateau = 0;   ///< nor below this one where the goal says IsFlat
   std::size_t most_triangles = 0;
 };
 
@@ -71,6 +72,12 @@ class SearchGoal {
   /// and radius cannot be settled.
   [[nodiscard]] virtual double UsefulChange(
       const KnownTriangle& known) const = 0;
+
+  /// Whether halving a triangle with this centre is idle, since E is all the
+  /// same around it.
+  [[nodiscard]] virtual bool IsFlat(const KnownTriangle& /*known*/) const {
+    return false;
+  }
 
   /// Whether enough is known.
   [[nodiscard]] virtual bool IsSettled(const PlanMesh& mesh, int triangle,

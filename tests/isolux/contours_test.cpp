@@ -15,6 +15,7 @@
 
 #include "isolux/lit_floor.h"
 #include "isolux/named_floor.h"
+#include "support/random_scene.h"
 
 namespace truelux {
 namespace {
@@ -291,6 +292,28 @@ TEST(Contours, ADarkFloorHasNone) {
   EXPECT_TRUE(isolux.open.empty());
   EXPECT_EQ(isolux.most, 0);
   ASSERT_EQ(isolux.lines.notes.size(), 1U);
+}
+
+TEST(Contours, APlateauIsOpenAndNotTraced) {
+  // Inside a box whose walls and ceiling all emit the same, E = M.
+  std::vector<TestFace> faces;
+  for (const Ring& ring : BoxAround(2)) {
+    Ring raised = ring;
+    for (Point3& p : raised)
+      p.z += 2;
+    faces.push_back({raised, kUnitLamp});
+  }
+  const Scene scene = NamedFloor(2, faces);
+  IsoluxOptions options;
+  options.levels = {1};
+  const Isolux isolux = FloorIsolux(scene, options);
+  EXPECT_EQ(isolux.least, 1);
+  EXPECT_EQ(isolux.most, 1);
+  EXPECT_TRUE(isolux.contours.empty());
+  EXPECT_GT(isolux.open_area, 0.9 * isolux.area);
+  EXPECT_LT(isolux.triangles, 100000U);
+  options.levels = {};
+  EXPECT_TRUE(FloorIsolux(scene, options).levels.empty());
 }
 
 TEST(Contours, DoNotDependOnThreads) {

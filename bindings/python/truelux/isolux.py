@@ -271,7 +271,7 @@ class SurfaceAnswers:
             Ascending, above 0 [W/m^2].
         count : int
             Without levels: so many, with equal steps between the least and the
-            largest value that were met.
+            largest value that were met, each rounded to three digits or more.
         channel : {"luminance", "r", "g", "b"}, optional
             What contours are of. Without it luminance, 0.2126 R + 0.7152 G +
             0.0722 B, or the one value of a scene whose channels are all alike.

@@ -35,6 +35,9 @@ void BindComparison(pybind11::module_& module);
 /// Pictures.
 void BindRender(pybind11::module_& module);
 
+/// Lines of light on surfaces, contours and extrema.
+void BindIsolux(pybind11::module_& module);
+
 /// Images of OpenEXR.
 void BindExr(pybind11::module_& module);
 

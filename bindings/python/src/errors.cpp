@@ -44,6 +44,13 @@ py::list TextsOf(const std::vector<std::string>& all) {
   return texts;
 }
 
+py::list MessagesOf(const std::vector<Diagnostic>& notes) {
+  py::list texts;
+  for (const Diagnostic& note : notes)
+    texts.append(TextOf(note.message));
+  return texts;
+}
+
 void BindErrors(py::module_& module) {
   const py::object type = py::reinterpret_steal<py::object>(
       PyErr_NewExceptionWithDoc("truelux.Error",

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "truelux/diagnostics.h"
+
 namespace truelux::python {
 
 /// What cannot be used, one line per defect. Python sees truelux.Error.
@@ -29,6 +31,9 @@ class InputError : public std::runtime_error {
 /// by surrogates, as Python has it in names of files.
 [[nodiscard]] pybind11::str TextOf(const std::string& bytes);
 [[nodiscard]] pybind11::list TextsOf(const std::vector<std::string>& all);
+
+/// The messages alone: notes on a scene that is no file.
+[[nodiscard]] pybind11::list MessagesOf(const std::vector<Diagnostic>& notes);
 
 /// f(), where what the library finds wrong in arguments is an InputError.
 template <class F>

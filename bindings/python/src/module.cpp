@@ -12,5 +12,6 @@ PYBIND11_MODULE(_truelux, module) {
   truelux::python::BindDerivatives(module);
   truelux::python::BindComparison(module);
   truelux::python::BindRender(module);
+  truelux::python::BindIsolux(module);
   truelux::python::BindExr(module);
 }

@@ -68,4 +68,14 @@ Choice MakeChoice(const std::string& engine, const std::string& method,
   return choice;
 }
 
+std::optional<ScalarChannel> ChannelOf(const std::optional<std::string>& name) {
+  if (!name) return std::nullopt;
+  for (const ScalarChannel channel :
+       {ScalarChannel::kLuminance, ScalarChannel::kRed, ScalarChannel::kGreen,
+        ScalarChannel::kBlue}) {
+    if (*name == Name(channel)) return channel;
+  }
+  throw InputError({"channel: '" + *name + "' is none of luminance, r, g, b"});
+}
+
 }  // namespace truelux::python

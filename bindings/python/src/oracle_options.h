@@ -4,9 +4,11 @@
 #ifndef TRUELUX_BINDINGS_PYTHON_ORACLE_OPTIONS_H_
 #define TRUELUX_BINDINGS_PYTHON_ORACLE_OPTIONS_H_
 
+#include <optional>
 #include <string>
 
 #include "truelux/irradiance.h"
+#include "truelux/picture.h"
 #include "truelux/stop.h"
 
 namespace truelux::python {
@@ -32,6 +34,11 @@ struct Choice {
                                 const std::string& emission,
                                 const std::string& formula, double half_side,
                                 int threads);
+
+/// By its name: "luminance", "r", "g", "b"; nothing: nothing. Throws InputError
+/// for other words.
+[[nodiscard]] std::optional<ScalarChannel> ChannelOf(
+    const std::optional<std::string>& name);
 
 }  // namespace truelux::python
 

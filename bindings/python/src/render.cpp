@@ -64,13 +64,6 @@ py::array_t<double> Triples(const Raster<Receiver>& receivers, bool normals) {
   return ArrayOf(values);
 }
 
-py::list MessagesOf(const std::vector<Diagnostic>& notes) {
-  py::list texts;
-  for (const Diagnostic& note : notes)
-    texts.append(TextOf(note.message));
-  return texts;
-}
-
 /// The arrays of what was wished for, by name.
 py::dict Arrays(const Rendering& rendering) {
   const RenderedPixels& pixels = rendering.pixels;
@@ -129,21 +122,6 @@ Rendering RenderScene(const SharedScene& scene, const Choice& choice,
     const Oracle oracle(scene.prepared, choice.Options(interruptible.flag()));
     return Render(oracle, subject, {width, height}, options);
   });
-}
-
-/// By its name: "luminance", "r", "g", "b".
-ScalarChannel ChannelOf(const std::string& name) {
-  for (const ScalarChannel channel :
-       {ScalarChannel::kLuminance, ScalarChannel::kRed, ScalarChannel::kGreen,
-        ScalarChannel::kBlue}) {
-    if (name == Name(channel)) return channel;
-  }
-  throw InputError({"channel: '" + name + "' is none of luminance, r, g, b"});
-}
-
-std::optional<ScalarChannel> ChannelOf(const std::optional<std::string>& name) {
-  if (!name) return std::nullopt;
-  return ChannelOf(*name);
 }
 
 /// The bytes of the picture's file, and notes.

@@ -15,6 +15,8 @@ from ._truelux import Error, version as _version
 from .arrays import Note
 from .comparison import Comparison, compare
 from .derivatives import Derivatives, VertexGradient
+from .isolux import (Isolux, IsoluxContour, SurfaceExtrema, SurfaceLines,
+                     UndecidedRegion)
 from .oracle import Contour, FormFactors, Oracle, irradiance_from_sphere
 from .render import SHADOW_CLASSES, Camera, Picture, render
 from .scene import Scene
@@ -29,11 +31,16 @@ __all__ = [
     "Derivatives",
     "Error",
     "FormFactors",
+    "Isolux",
+    "IsoluxContour",
     "Note",
     "Oracle",
     "Picture",
     "SHADOW_CLASSES",
     "Scene",
+    "SurfaceExtrema",
+    "SurfaceLines",
+    "UndecidedRegion",
     "VertexGradient",
     "compare",
     "irradiance_from_sphere",

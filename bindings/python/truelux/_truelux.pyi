@@ -84,6 +84,20 @@ def render(scene: Scene, choice: Choice, surface: Optional[bytes],
                          float], width: int, height: int,
            on_face: Optional[bytes], also: Sequence[str], bound: bool,
            told: Optional[Callable[[int, int, str], None]]) -> Rendering: ...
+
+SURFACE_LINE_KINDS: list[str]
+CONTOUR_PLACES: list[str]
+EXTREMUM_KINDS: list[str]
+
+def surface_lines(scene: Scene, choice: Choice, surface: bytes) -> dict: ...
+def isolux(scene: Scene, choice: Choice, surface: bytes,
+           levels: Sequence[float], count: int, channel: Optional[str],
+           lengths: Sequence[float], most_triangles: int, threads: int,
+           told: Optional[Callable[[int, int, str], None]]) -> dict: ...
+def extrema(scene: Scene, choice: Choice, surface: bytes,
+            channel: Optional[str], threads: int,
+            told: Optional[Callable[[int, int, str], None]]) -> dict: ...
+
 def read_exr(path: bytes) -> tuple[dict[str, np.ndarray], tuple[int, int]]: ...
 def exr_bytes(values: np.ndarray, covered: np.ndarray,
               texts: Sequence[tuple[str, str]]) -> bytes: ...

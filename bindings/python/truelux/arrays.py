@@ -69,6 +69,13 @@ def thread_count(threads) -> int:
     return int(threads)
 
 
+def check_channel(channel) -> None:
+    """Which number of a colour is meant; None is for the library to choose."""
+    names = ("luminance", "r", "g", "b")
+    if channel is not None and channel not in names:
+        raise error(f"channel: {channel!r} is none of {', '.join(names)}")
+
+
 def numbers(values, name: str) -> np.ndarray:
     """An array of binary64, without a copy if it is one."""
     if np.ma.is_masked(values):

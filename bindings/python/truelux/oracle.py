@@ -11,6 +11,7 @@ from . import _truelux
 from .arrays import (broadcast, error, faces, numbers, receivers,
                      real, thread_count, triples, warn, word)
 from .derivatives import Derivatives, VertexGradient
+from .isolux import SurfaceAnswers
 from .progress import in_parts
 from .scene import Scene
 
@@ -37,7 +38,7 @@ class Contour(NamedTuple):
     numbers; 0: the horizon), plane_normal (3), to the visible side."""
 
 
-class Oracle:
+class Oracle(SurfaceAnswers):
     """Answers for one scene; every number is certified by default.
 
     Parameters

@@ -8,7 +8,7 @@ from typing import NamedTuple, Optional, Sequence
 import numpy as np
 
 from . import _truelux
-from .arrays import error, real, triples, warn, word
+from .arrays import check_channel, error, real, triples, warn, word
 from .files import suffix_of, whole_file
 from .oracle import Oracle
 from .progress import Bar
@@ -29,12 +29,6 @@ class Camera(NamedTuple):
     """What is above the middle; of any length."""
     fov: float
     """From the lower to the upper edge of the picture [degrees]."""
-
-
-def _check_channel(channel) -> None:
-    names = ("luminance", "r", "g", "b")
-    if channel is not None and channel not in names:
-        raise error(f"channel: {channel!r} is none of {', '.join(names)}")
 
 
 class Picture:
@@ -122,7 +116,7 @@ class Picture:
             white = real(white, "white")
             if not 0 < white < float("inf"):
                 raise error("white: expected a finite number above 0")
-        _check_channel(channel)
+        check_channel(channel)
         data, notes = self._rendering.picture(
             suffix == ".exr", self._texts, white, bool(false_colour),
             bool(isolux), channel)
@@ -152,7 +146,7 @@ class Picture:
         suffix_of(path, ".png")
         if channel is not None and which not in ("error", "gradient"):
             raise error("channel: it belongs to 'error' and 'gradient'")
-        _check_channel(channel)
+        check_channel(channel)
         data = self._rendering.extra(which, channel)
         with whole_file(path) as file:
             file.write(data)

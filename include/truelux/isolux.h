@@ -101,12 +101,14 @@ struct IsoluxVertex {
 /// the lit side.
 struct Contour {
   double level = 0;  ///< [W/m^2]
+  /// The number of a face of the surface that looks to the contour's side, for
+  /// Receiver::on_face: faces of a surface may look to both.
+  int face = 0;
   bool is_closed = false;
   std::vector<IsoluxVertex> vertices;
   /// The chord that begins at vertex k, of a closed line also that from the last
   /// vertex to the first: how far the contour is from it at most [length]; +inf:
-  /// not known. Every other level, and every other contour of this one, is
-  /// farther away if its own chords are.
+  /// not known.
   std::vector<double> widths;
 };
 
@@ -122,7 +124,8 @@ struct OpenTriangle {
 /// What is asked for. 0 chooses what suits the surface.
 struct IsoluxOptions {
   /// Ascending, > 0 [W/m^2]; none: `count` levels with equal steps between the
-  /// least and the largest value that were met.
+  /// least and the largest value that were met, rounded to three digits or to
+  /// as many as keep them apart.
   std::vector<double> levels;
   int count = 10;
   /// What contours are of; nothing: luminance, 0.2126 R + 0.7152 G + 0.0722 B,

@@ -141,6 +141,7 @@ class IsoluxFinder {
   void AddContour(const PlanFrame& plan, const ContourLine& line) {
     Contour& contour = result_.contours.emplace_back();
     contour.level = result_.levels[line.level];
+    contour.face = plan.ReceiverAt({}).on_face;
     contour.is_closed = line.is_closed;
     contour.widths = line.widths;
     for (const ContourPoint& point : line.points) {

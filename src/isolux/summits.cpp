@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -35,13 +36,26 @@ class SummitFinder {
            {ExtremumKind::kMaximum, ExtremumKind::kMinimum}) {
         if (!IsPeak(static_cast<int>(i), kind)) continue;
         if (auto summit = Climb(static_cast<int>(i), kind))
-          summits.push_back(*std::move(summit));
+          Add(*std::move(summit), summits);
       }
     }
     return summits;
   }
 
  private:
+  /// Two points that are as high may lie in one group: then one of them is
+  /// enough.
+  static void Add(Summit summit, std::vector<Summit>& summits) {
+    std::ranges::sort(summit.triangles);
+    for (const Summit& other : summits) {
+      std::vector<int> shared;
+      std::ranges::set_intersection(summit.triangles, other.triangles,
+                                    std::back_inserter(shared));
+      if (other.point.kind == summit.point.kind && !shared.empty()) return;
+    }
+    summits.push_back(std::move(summit));
+  }
+
   static double SenseOf(ExtremumKind kind) {
     return kind == ExtremumKind::kMaximum ? 1 : -1;
   }

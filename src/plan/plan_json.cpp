@@ -89,6 +89,7 @@ std::string TextOf(const IsoluxVertex& vertex) {
 std::string TextOf(const Contour& contour) {
   return ObjectText()
       .Add("level", TextOf(contour.level))
+      .Add("face", std::to_string(contour.face))
       .Add("closed", TextOf(contour.is_closed))
       .Add("vertices", ListText(contour.vertices))
       .Add("widths", ListText(contour.widths))

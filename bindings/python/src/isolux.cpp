@@ -134,6 +134,7 @@ py::dict DictOf(const truelux::Contour& contour) {
     widths.Add(width);
   py::dict all;
   all["level"] = contour.level;
+  all["face"] = contour.face;
   all["closed"] = contour.is_closed;
   all["vertices"] = vertices.Array({3});
   all["across"] = across.Array({3});

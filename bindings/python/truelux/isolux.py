@@ -69,6 +69,8 @@ class IsoluxContour(NamedTuple):
 
     level: float
     """[W/m^2]."""
+    face: int
+    """A face that looks to the contour's side, for on_face."""
     closed: bool
     """Whether a chord goes from the last vertex to the first."""
     vertices: np.ndarray
@@ -88,8 +90,7 @@ class IsoluxContour(NamedTuple):
     "outline"; str, shape (n,)."""
     widths: np.ndarray
     """How far the contour is from the chord that begins at a vertex, at most
-    [length]; inf: not known. Shape (n,) if closed, else (n - 1,). Every other
-    contour is farther away from a chord if its own chords are from it."""
+    [length]; inf: not known. Shape (n,) if closed, else (n - 1,)."""
 
     @property
     def transversals(self) -> np.ndarray:

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "truelux/compare.h"
+#include "truelux/isolux.h"
 #include "truelux/picture.h"
 #include "truelux/render.h"
 #include "truelux/truelux.h"
@@ -69,5 +70,17 @@ int main() {
                          .bytes.starts_with("\x76\x2f\x31\x01"),
                      "PictureOf: EXR");
   failures += Expect(NamesTheSurface(oracle), "Render: what is wrong");
+  truelux::IsoluxOptions levels;
+  levels.count = 2;
+  levels.smallest = 0.01;
+  failures +=
+      Expect(!truelux::IsoluxOf(oracle, "floor", levels).contours.empty(),
+             "IsoluxOf: contours");
+  failures += Expect(truelux::SurfaceLinesOf(oracle, "floor").is_complete,
+                     "SurfaceLinesOf: all lines");
+  const truelux::SurfaceExtrema extrema =
+      truelux::ExtremaOf(oracle, "floor", {});
+  failures += Expect(extrema.most > 1 && extrema.most < 1.1,
+                     "ExtremaOf: the largest luminance");
   return failures;
 }

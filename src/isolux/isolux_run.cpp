@@ -80,6 +80,7 @@ class IsoluxFinder {
       for (const auto& [a, b] : OutlineOf(oracle_.scene(), side->side().faces))
         result_.outline.push_back({PointOf(a), PointOf(b)});
     }
+    NoteLeftOut();
     SetLevels();
     for (const auto& side : prepared_.sides)
       Trace(*side);
@@ -88,6 +89,20 @@ class IsoluxFinder {
   }
 
  private:
+  void NoteLeftOut() {
+    int left_out = 0;
+    for (const auto& side : prepared_.sides)
+      left_out += side->first().left_out;
+    if (left_out == 0) return;
+    result_.lines.notes.push_back(
+        {Severity::kNote, "", 0,
+         fmt::format("{} of the surface, between lines at which light jumps, "
+                     "{} as thin as a rounding and not looked at",
+                     left_out == 1 ? "1 triangle"
+                                   : fmt::format("{} triangles", left_out),
+                     left_out == 1 ? "is" : "are")});
+  }
+
   [[nodiscard]] Point3 PointOf(int vertex) const {
     return oracle_.scene().vertices()[static_cast<std::size_t>(vertex)];
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <string_view>
 
@@ -57,7 +58,7 @@ std::string ContourNote(const Isolux& isolux, const LineCounts& counts) {
   if (counts.uncertified == counts.vertices)
     return text + ", none of them certified";
   const std::string within =
-      fmt::format("certified within {}", ShortNumber(counts.half_width));
+      fmt::format("certified within {}", ShortBound(counts.half_width));
   if (counts.uncertified == 0) return text + ", all " + within;
   return text + fmt::format(": {} not certified, the others {}",
                             counts.uncertified == 1
@@ -67,7 +68,12 @@ std::string ContourNote(const Isolux& isolux, const LineCounts& counts) {
 }
 
 std::string OpenNote(const Isolux& isolux) {
-  if (isolux.open.empty()) return "no contour of these levels is missing";
+  if (isolux.open.empty()) {
+    return isolux.lines.is_complete
+               ? "no contour of these levels is missing"
+               : "no contour of these levels is missing, unless at a kink that "
+                 "was not looked for";
+  }
   return fmt::format(
       "{} ({} of the surface) {} open: contours that were not found lie there",
       Counted(isolux.open.size(), "triangle"),
@@ -77,7 +83,7 @@ std::string OpenNote(const Isolux& isolux) {
 
 std::string ChordNote(const LineCounts& counts) {
   const std::string known =
-      fmt::format("contours are within {} of {}", ShortNumber(counts.width),
+      fmt::format("contours are within {} of {}", ShortBound(counts.width),
                   counts.unknown == 0 ? "their chords" : "the other chords");
   if (counts.unknown == 0) return known;
   return fmt::format("for {} of {} it is not known how far the contour is",
@@ -92,6 +98,16 @@ std::string ShortNumber(double value) {
   constexpr double kPlainTo = 1e6;
   return value >= kPlainFrom && value < kPlainTo ? fmt::format("{:.0f}", value)
                                                  : fmt::format("{:.2g}", value);
+}
+
+std::string ShortBound(double value) {
+  std::string text = ShortNumber(value);
+  constexpr double kStep = 0.01;
+  for (double more = 1 + kStep; std::strtod(text.c_str(), nullptr) < value;
+       more += kStep) {
+    text = ShortNumber(more * value);
+  }
+  return text;
 }
 
 std::string ShareText(double part, double whole) {
@@ -143,7 +159,7 @@ std::vector<std::string> ExtremaNotes(const SurfaceExtrema& extrema) {
   }
   notes.push_back(fmt::format(
       "irradiance on the whole surface is proven to be from {} to {} W/m^2",
-      ShortNumber(extrema.least), ShortNumber(extrema.most)));
+      extrema.least, extrema.most));
   return notes;
 }
 

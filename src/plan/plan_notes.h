@@ -28,6 +28,9 @@ namespace truelux {
 /// "12", "0.034", "6.7e-07": a number for people, with a few digits.
 [[nodiscard]] std::string ShortNumber(double value);
 
+/// The same, rounded up: of a bound from above.
+[[nodiscard]] std::string ShortBound(double value);
+
 /// "12 %", "6.7e-05 %": a part of a whole.
 [[nodiscard]] std::string ShareText(double part, double whole);
 

@@ -66,7 +66,7 @@ std::string TitleOf(const Contour& contour) {
       uncertified > 0 ? fmt::format(", {} not certified", uncertified) : "");
   return text +
          (std::isfinite(widest)
-              ? fmt::format("within {} of its chords", ShortNumber(widest))
+              ? fmt::format("within {} of its chords", ShortBound(widest))
               : "how far it is from its chords is not known everywhere");
 }
 

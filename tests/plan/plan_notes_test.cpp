@@ -69,6 +69,21 @@ TEST(PlanNotes, NumbersAreShort) {
   EXPECT_EQ(ShareText(0, 0), "0 %");
 }
 
+TEST(PlanNotes, BoundsAreNotRoundedDown) {
+  Isolux isolux = MadeFloor(1, 1);
+  isolux.levels = {1};
+  isolux.contours.push_back(MadeCircle(1, 0.5, 0.5, 0.25, true));
+  for (IsoluxVertex& vertex : isolux.contours[0].vertices) {
+    vertex.is_certified = true;
+    vertex.half_width = 1.04e-7;
+  }
+  isolux.contours[0].widths.assign(isolux.contours[0].vertices.size(), 3.333);
+  EXPECT_NE(PlanNotes(isolux)[0].find("certified within 1.1e-07"),
+            std::string::npos);
+  EXPECT_NE(PlanNotes(isolux)[2].find("within 3.4 of their chords"),
+            std::string::npos);
+}
+
 TEST(PlanNotes, CountExtrema) {
   SurfaceExtrema extrema;
   extrema.least = 0.25;

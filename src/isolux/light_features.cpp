@@ -232,19 +232,19 @@ void LightFeatures::AddBlockers(const Scene& scene, const PlanFrame& frame) {
 }
 
 void LightFeatures::FindCoplanarLines(const EdgePlanes& planes) {
-  line_count_ = planes.edges_of_line.size();
-  are_coplanar_.assign(line_count_ * line_count_, false);
-  const auto mark = [this](int i, int j) {
-    are_coplanar_[static_cast<std::size_t>(i) * line_count_ +
-                  static_cast<std::size_t>(j)] = true;
-  };
-  for (std::size_t i = 0; i < line_count_; ++i)
-    mark(static_cast<int>(i), static_cast<int>(i));
+  coplanar_.resize(planes.edges_of_line.size());
+  for (std::size_t i = 0; i < coplanar_.size(); ++i)
+    coplanar_[i].push_back(static_cast<int>(i));
   for (const EdgePlane& plane : planes.planes) {
     for (const int i : plane.lines) {
-      for (const int j : plane.lines)
-        mark(i, j);
+      auto& own = coplanar_[static_cast<std::size_t>(i)];
+      own.insert(own.end(), plane.lines.begin(), plane.lines.end());
     }
+  }
+  for (std::vector<int>& own : coplanar_) {
+    std::ranges::sort(own);
+    const auto rest = std::ranges::unique(own);
+    own.erase(rest.begin(), rest.end());
   }
 }
 

@@ -5,6 +5,7 @@
 #ifndef TRUELUX_ISOLUX_LIGHT_FEATURES_H_
 #define TRUELUX_ISOLUX_LIGHT_FEATURES_H_
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -79,8 +80,8 @@ class LightFeatures {
   /// Whether two edges lie in one plane, exactly. Then they never seem to
   /// slide along each other.
   [[nodiscard]] bool AreCoplanar(const LightEdge& a, const LightEdge& b) const {
-    return are_coplanar_[static_cast<std::size_t>(a.line) * line_count_ +
-                         static_cast<std::size_t>(b.line)];
+    return std::ranges::binary_search(
+        coplanar_[static_cast<std::size_t>(a.line)], b.line);
   }
 
   /// The largest distance of anything from the origin [length]. Coordinates are
@@ -101,8 +102,7 @@ class LightFeatures {
   std::vector<Lamp> lamps_;
   std::vector<LightEdge> edges_;
   std::vector<Blocker> blockers_;
-  std::size_t line_count_ = 0;
-  std::vector<bool> are_coplanar_;
+  std::vector<std::vector<int>> coplanar_;  ///< lines, of each line; ascending
   double size_ = 0;
 };
 

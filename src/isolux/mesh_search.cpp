@@ -75,6 +75,21 @@ void MeshSearch::SamplePoints(int threads, const Watch& watch) {
       });
 }
 
+bool MeshSearch::IsDark(const KnownTriangle& known,
+                        const PlanPoint& centre) const {
+  if (!known.centre.is_defined || known.centre.light.value != 0 ||
+      known.centre.light.bound != 0) {
+    return false;
+  }
+  // Where no edge is before a lamp, all points see the same of it; and the
+  // centre, which is in front of it, sees nothing.
+  return std::ranges::all_of(*known.sight, [&](const LampSight& lamp) {
+    const LightPlane& plane =
+        features_->lamps()[static_cast<std::size_t>(lamp.lamp)].plane;
+    return lamp.edges.empty() && plane.HeightOf(centre) > 0;
+  });
+}
+
 void MeshSearch::Know(int triangle, const SearchGoal& goal) {
   KnownTriangle& known = known_[static_cast<std::size_t>(triangle)];
   const std::array<PlanPoint, 3> corners = mesh_.CornersOf(triangle);
@@ -88,12 +103,7 @@ void MeshSearch::Know(int triangle, const SearchGoal& goal) {
     known.change = kUnknownChange;
     known.sight = std::make_shared<const Sight>(
         Narrowed(*features_, *known.sight, corners));
-    known.is_dark =
-        known.centre.is_defined && known.centre.light.value == 0 &&
-        known.centre.light.bound == 0 &&
-        std::ranges::all_of(*known.sight, [](const LampSight& lamp) {
-          return lamp.edges.empty();
-        });
+    known.is_dark = IsDark(known, centre);
     if (known.is_dark) known.change = {0, 0};
   }
   if (known.centre.is_defined && !std::isfinite(known.change.rate)) {

@@ -127,6 +127,9 @@ class MeshSearch {
  private:
   void Halve(int triangle, std::vector<int>& changed);
   void Know(int triangle, const SearchGoal& goal);
+  /// Whether E is 0 in all of a triangle.
+  [[nodiscard]] bool IsDark(const KnownTriangle& known,
+                            const PlanPoint& centre) const;
 
   const LightProbe* probe_;
   const LightFeatures* features_;

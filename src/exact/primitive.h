@@ -30,6 +30,11 @@ struct PrimitiveVector {
 PrimitiveVector MakePrimitive(const Vec3<Exact>& v);
 PrimitiveVector MakePrimitive(const Vec3<mpq_class>& v);
 
+/// The same numbers.
+inline Vec3<mpq_class> RationalOf(const PrimitiveVector& v) {
+  return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)};
+}
+
 /// v or -v, so that equal planes with opposite normals become equal.
 PrimitiveVector WithoutSign(const PrimitiveVector& v);
 

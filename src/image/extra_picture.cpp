@@ -12,12 +12,12 @@
 #include "truelux/raster.h"
 #include "truelux/render.h"
 
+#include "base/scalar_channel.h"
 #include "explain/shadow_class.h"
 #include "image/false_colour.h"
 #include "image/image_legend.h"
 #include "image/kink_lines.h"
 #include "image/png_image.h"
-#include "image/scalar_channel.h"
 #include "image/scalar_raster.h"
 #include "text/quantile.h"
 

@@ -21,6 +21,7 @@
 #include "scene/emitters.h"
 #include "surface/edge_planes.h"
 #include "surface/plane_sight.h"
+#include "surface/surface_lines.h"
 
 namespace truelux {
 namespace {
@@ -62,20 +63,6 @@ std::vector<SourceTriangle> SourcesOf(const Scene& scene) {
   return sources;
 }
 
-/// Three corners of the surface.
-std::array<Point3, 3> CornersOf(const Scene& scene, const SurfaceFrame& frame) {
-  const auto first = static_cast<std::size_t>(frame.faces.front());
-  const auto facet = static_cast<std::size_t>(scene.faces()[first].first_facet);
-  const Triangle& triangle = scene.triangles()[static_cast<std::size_t>(
-      scene.facets()[facet].first_triangle)];
-  std::array<Point3, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k) {
-    corners[k] =
-        scene.vertices()[static_cast<std::size_t>(triangle.vertices[k])];
-  }
-  return corners;
-}
-
 /// A point with rounded coordinates.
 Point3 NearPointOf(const RationalVector& p) {
   return {NearestTo(p.x), NearestTo(p.y), NearestTo(p.z)};
@@ -89,11 +76,11 @@ class CrossingFinder {
         receivers_(receivers),
         pixels_(scene, frame, receivers.width(), receivers.height()),
         aside_(AsideFor(pixels_)),
-        at_(CornersOf(scene, frame)[0]),
+        at_(CornersOfSurface(scene, frame)[0]),
         sources_(SourcesOf(scene)),
         watch_(watch),
-        found_(EdgePlanesOf(scene, CornersOf(scene, frame), kMostEdgeLines,
-                            watch.stop)) {}
+        found_(EdgePlanesOf(scene, CornersOfSurface(scene, frame),
+                            kMostEdgeLines, watch.stop)) {}
 
   [[nodiscard]] bool is_complete() const { return found_.is_complete; }
 

@@ -11,11 +11,11 @@
 #include <string>
 #include <utility>
 
+#include "base/scalar_channel.h"
 #include "image/exr_image.h"
 #include "image/image_legend.h"
 #include "image/isolux.h"
 #include "image/png_image.h"
-#include "image/scalar_channel.h"
 #include "image/scalar_raster.h"
 #include "image/tone.h"
 #include "text/number_text.h"

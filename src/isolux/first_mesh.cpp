@@ -18,6 +18,8 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include "scene/scene_access.h"
+
 namespace truelux {
 namespace {
 
@@ -80,9 +82,7 @@ class MeshMaker {
            scene_.facets().subspan(static_cast<std::size_t>(f.first_facet),
                                    static_cast<std::size_t>(f.facet_count))) {
         if (facet.is_back) continue;
-        for (const Triangle& triangle : scene_.triangles().subspan(
-                 static_cast<std::size_t>(facet.first_triangle),
-                 static_cast<std::size_t>(facet.triangle_count))) {
+        for (const Triangle& triangle : TrianglesOf(scene_, facet)) {
           AddTriangle(triangle);
         }
       }

@@ -8,19 +8,15 @@
 #include <numbers>
 #include <vector>
 
+#include "isolux/lamp_pieces.h"
+
 namespace truelux {
 namespace {
 
-/// Parts are halved until they are shorter than this share of their distance.
+/// Parts of edges are halved until they are shorter than this share of their distance.
 constexpr double kFine = 0.5;
-/// Triangles that a lamp's piece touches only from outside need no more.
-constexpr int kMostHalvings = 24;
 /// What rounding adds.
 constexpr double kEnlarged = 1 + 0x1p-20;
-
-double LengthOf(const Vec3<double>& v) {
-  return std::sqrt(Dot(v, v));
-}
 
 Vec3<double> Between(const Vec3<double>& a, const Vec3<double>& b,
                      double share) {
@@ -60,7 +56,7 @@ class BoundFinder {
     SetLamp(sight);
     double rate = 0;
     for (const auto& triangle : lamp_->triangles)
-      rate += AreaRate(triangle, 0);
+      rate += AreaRate(triangle);
     for (const SightEdge& part : sight.edges) {
       const LightEdge& edge = EdgeOf(part);
       rate += EdgeRate(Between(edge.ends[0], edge.ends[1], part.from),
@@ -113,32 +109,16 @@ class BoundFinder {
   }
 
   /// Point 1 without M / pi.
-  double AreaRate(const std::array<Vec3<double>, 3>& corners, int depth) const {
-    const auto& [a, b, c] = corners;
-    const Vec3<double> centre = (1.0 / 3) * (a + b + c);
-    const double spread = std::max(
-        {LengthOf(a - centre), LengthOf(b - centre), LengthOf(c - centre)});
-    const double high = std::max({a.z, b.z, c.z});
-    if (high <= 0) return 0;
-    const double to_centre = LengthOf(centre - middle_) - radius_;
-    if (to_centre <= 0) return HUGE_VAL;
-    const double distance = to_centre - spread;
-    if (spread > kFine * distance) {
-      if (depth >= kMostHalvings) return HUGE_VAL;
-      const Vec3<double> ab = Between(a, b, 0.5);
-      const Vec3<double> bc = Between(b, c, 0.5);
-      const Vec3<double> ca = Between(c, a, 0.5);
-      return AreaRate({a, ab, ca}, depth + 1) +
-             AreaRate({ab, b, bc}, depth + 1) +
-             AreaRate({ca, bc, c}, depth + 1) +
-             AreaRate({ab, bc, ca}, depth + 1);
-    }
-    const double area = LengthOf(Cross(b - a, c - a)) / 2;
-    const double slant = SlantOf(centre, spread, distance);
-    const double square = distance * distance;
-    return area * high / (square * square * square) *
-           (8 * tilt_ * slant * distance +
-            most_height_ * std::max(4.0, 24 * slant * slant - 4));
+  [[nodiscard]] double AreaRate(const LampTriangle& corners) const {
+    return SumOverPieces(
+        corners, {middle_, radius_}, [this](const LampPiece& piece) {
+          const double slant =
+              SlantOf(piece.centre, piece.spread, piece.distance);
+          const double square = piece.distance * piece.distance;
+          return piece.area * piece.high / (square * square * square) *
+                 (8 * tilt_ * slant * piece.distance +
+                  most_height_ * std::max(4.0, 24 * slant * slant - 4));
+        });
   }
 
   /// Points 2 and 3 without M / pi.

@@ -8,20 +8,13 @@
 #include <numbers>
 #include <vector>
 
+#include "isolux/lamp_pieces.h"
+
 namespace truelux {
 namespace {
 
-using Corners = std::array<Vec3<double>, 3>;
-
-constexpr int kMostHalvings = 24;
-constexpr double kFine = 0.5;
-
-double LengthOf(const Vec3<double>& v) {
-  return std::sqrt(Dot(v, v));
-}
-
 /// The part of a triangle at heights >= 0.
-std::vector<Vec3<double>> AboveSurface(const Corners& corners) {
+std::vector<Vec3<double>> AboveSurface(const LampTriangle& corners) {
   std::vector<Vec3<double>> above;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3<double>& a = corners[k];
@@ -46,43 +39,6 @@ double FormFactorOf(std::span<const Vec3<double>> ring, const Vec3<double>& r) {
   return std::fabs(sum) / (2 * std::numbers::pi);
 }
 
-/// The integral of |grad (z l / rho^4)| over a triangle, at most.
-class SlopeFinder {
- public:
-  SlopeFinder(const Vec3<double>& middle, double radius, double tilt,
-              double height)
-      : middle_(middle), radius_(radius), tilt_(tilt), height_(height) {}
-
-  [[nodiscard]] double Over(const Corners& corners, int depth) const {
-    const auto& [a, b, c] = corners;
-    const double high = std::max({a.z, b.z, c.z});
-    if (high <= 0) return 0;
-    const Vec3<double> centre = (1.0 / 3) * (a + b + c);
-    const double spread = std::max(
-        {LengthOf(a - centre), LengthOf(b - centre), LengthOf(c - centre)});
-    const double to_centre = LengthOf(centre - middle_) - radius_;
-    if (to_centre <= 0) return HUGE_VAL;
-    const double distance = to_centre - spread;
-    if (spread > kFine * distance) {
-      if (depth >= kMostHalvings) return HUGE_VAL;
-      const Vec3<double> ab = 0.5 * (a + b);
-      const Vec3<double> bc = 0.5 * (b + c);
-      const Vec3<double> ca = 0.5 * (c + a);
-      return Over({a, ab, ca}, depth + 1) + Over({ab, b, bc}, depth + 1) +
-             Over({ca, bc, c}, depth + 1) + Over({ab, bc, ca}, depth + 1);
-    }
-    const double square = distance * distance;
-    return LengthOf(Cross(b - a, c - a)) / 2 * high / (square * square) *
-           (tilt_ + 4 * height_ / distance);
-  }
-
- private:
-  Vec3<double> middle_;
-  double radius_;
-  double tilt_;
-  double height_;
-};
-
 }  // namespace
 
 double UnblockedLight(const LightFeatures& features, const Sight& sight,
@@ -92,7 +48,7 @@ double UnblockedLight(const LightFeatures& features, const Sight& sight,
   for (const LampSight& seen : sight) {
     const Lamp& lamp = features.lamps()[static_cast<std::size_t>(seen.lamp)];
     if (lamp.plane.HeightOf(p) <= 0) continue;
-    for (const Corners& corners : lamp.triangles)
+    for (const LampTriangle& corners : lamp.triangles)
       light += lamp.exitance * FormFactorOf(AboveSurface(corners), r);
   }
   return light;
@@ -112,11 +68,16 @@ double LightCeiling(const LightFeatures& features, const Sight& sight,
     double height = 0;
     for (const PlanPoint& p : points)
       height = std::max(height, lamp.plane.HeightOf(p));
-    const SlopeFinder finder(
-        {middle.s, middle.t, 0}, radius,
-        std::hypot(lamp.plane.normal.x, lamp.plane.normal.y), height);
-    for (const Corners& corners : lamp.triangles) {
-      slope += lamp.exitance / std::numbers::pi * finder.Over(corners, 0);
+    const double tilt = std::hypot(lamp.plane.normal.x, lamp.plane.normal.y);
+    // The integral of |grad (z l / rho^4)|, at most.
+    const auto term = [&](const LampPiece& piece) {
+      const double square = piece.distance * piece.distance;
+      return piece.area * piece.high / (square * square) *
+             (tilt + 4 * height / piece.distance);
+    };
+    for (const LampTriangle& corners : lamp.triangles) {
+      slope += lamp.exitance / std::numbers::pi *
+               SumOverPieces(corners, {{middle.s, middle.t, 0}, radius}, term);
     }
   }
   // Rounding: Lambert's terms are at most 1/2 each.

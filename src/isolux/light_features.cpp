@@ -9,21 +9,17 @@
 #include <tuple>
 #include <utility>
 
+#include "isolux/lamp_pieces.h"
 #include "isolux/line_cover.h"
 #include "scene/facet_normal.h"
 #include "scene/index/convex_pieces.h"
 #include "scene/index/scene_index.h"
+#include "scene/scene_access.h"
 
 namespace truelux {
 namespace {
 
 using Ends = std::array<int, 2>;
-
-std::span<const Triangle> TrianglesOf(const Scene& scene, const Facet& facet) {
-  return scene.triangles().subspan(
-      static_cast<std::size_t>(facet.first_triangle),
-      static_cast<std::size_t>(facet.triangle_count));
-}
 
 /// The facets beside each edge. Inner edges of a facet are not there.
 std::map<Ends, std::vector<FacetSide>> SidesOf(const Scene& scene) {
@@ -60,10 +56,6 @@ LightPlane PlaneOf(const Scene& scene, const PlanFrame& frame, int facet) {
       frame.PlaceOf(
           scene.vertices()[static_cast<std::size_t>(triangle.vertices[0])]));
   return plane;
-}
-
-Vec3<double> UnitOf(const Vec3<double>& v) {
-  return (1 / std::sqrt(Dot(v, v))) * v;
 }
 
 /// A few points whose hull holds all points of a plane: they themselves, each

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/scalar_channel.h"
 #include "scene/emitters.h"
 #include "surface/named_surface.h"
 
@@ -17,17 +18,7 @@ constexpr double kCoarse = 1.0 / 16;
 
 Rgb WeightsOf(const Scene& scene, std::optional<ScalarChannel> channel) {
   if (!channel && IsGrey(scene)) return {1, 0, 0};
-  switch (channel.value_or(ScalarChannel::kLuminance)) {
-    case ScalarChannel::kLuminance:
-      break;
-    case ScalarChannel::kRed:
-      return {1, 0, 0};
-    case ScalarChannel::kGreen:
-      return {0, 1, 0};
-    case ScalarChannel::kBlue:
-      return {0, 0, 1};
-  }
-  return {0.2126, 0.7152, 0.0722};
+  return SharesOf(channel.value_or(ScalarChannel::kLuminance));
 }
 
 }  // namespace

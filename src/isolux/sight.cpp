@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "isolux/lamp_pieces.h"
 #include "isolux/occlusion.h"
 
 namespace truelux {
@@ -14,10 +15,6 @@ namespace {
 
 Vec3<double> OnSurface(const PlanPoint& p) {
   return {p.s, p.t, 0};
-}
-
-double LengthOf(const Vec3<double>& v) {
-  return std::sqrt(Dot(v, v));
 }
 
 /// The planes that hold the hull of points and of a lamp on their lower side.

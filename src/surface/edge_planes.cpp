@@ -32,10 +32,6 @@ struct Key {
   }
 };
 
-RationalVector RationalOf(const PrimitiveVector& v) {
-  return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)};
-}
-
 Vec3<double> DifferenceOf(const Point3& from, const Point3& to) {
   return {to.x - from.x, to.y - from.y, to.z - from.z};
 }
@@ -114,7 +110,7 @@ class Finder {
   }
 
   [[nodiscard]] RationalVector RationalAt(int vertex) const {
-    return truelux::RationalOf(At(vertex));
+    return RationalOf(At(vertex));
   }
 
   /// The line through a point; new ones are added.
@@ -150,9 +146,9 @@ class Finder {
   }
 
   void CollectCuts(const std::set<Ends>& outlines) {
-    const RationalVector at = truelux::RationalOf(surface_[0]);
-    const RationalVector normal = Cross(truelux::RationalOf(surface_[1]) - at,
-                                        truelux::RationalOf(surface_[2]) - at);
+    const RationalVector at = RationalOf(surface_[0]);
+    const RationalVector normal =
+        Cross(RationalOf(surface_[1]) - at, RationalOf(surface_[2]) - at);
     for (FaceCut& ends : FaceCutsOf(scene_, outlines, stop_)) {
       if (Dot(normal, ends[0] - at) == 0 && Dot(normal, ends[1] - at) == 0)
         continue;

@@ -21,10 +21,6 @@ struct Place {
   mpq_class y;
 };
 
-RationalVector RationalOf(const PrimitiveVector& v) {
-  return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)};
-}
-
 bool IsNothing(const RationalVector& v) {
   return v.x == 0 && v.y == 0 && v.z == 0;
 }
@@ -61,7 +57,7 @@ class SidesOfPlane {
     // Each term is off by a few ulps.
     if (std::fabs(height) > 0x1p-48 * size + 0x1p-900 && std::isfinite(size))
       return height > 0 ? 1 : -1;
-    return sgn(HeightOf(truelux::RationalOf(p)));
+    return sgn(HeightOf(RationalOf(p)));
   }
 
   [[nodiscard]] mpq_class HeightOf(const RationalVector& p) const {
@@ -144,8 +140,7 @@ class Cutter {
   }
 
   [[nodiscard]] RationalVector VertexAt(int vertex) const {
-    return truelux::RationalOf(
-        scene_.vertices()[static_cast<std::size_t>(vertex)]);
+    return RationalOf(scene_.vertices()[static_cast<std::size_t>(vertex)]);
   }
 
   /// The place of a vertex, or of its foot.

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "scene/scene_access.h"
+
 namespace truelux {
 namespace {
 
@@ -57,9 +59,7 @@ SurfaceClip::SurfaceClip(const Scene& scene, const SurfaceFrame& frame,
     for (const Facet& facet :
          scene.facets().subspan(static_cast<std::size_t>(f.first_facet),
                                 static_cast<std::size_t>(f.facet_count))) {
-      for (const Triangle& triangle : scene.triangles().subspan(
-               static_cast<std::size_t>(facet.first_triangle),
-               static_cast<std::size_t>(facet.triangle_count))) {
+      for (const Triangle& triangle : TrianglesOf(scene, facet)) {
         auto& corners = triangles_.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) {
           corners[k] = frame.Of(

@@ -8,15 +8,12 @@
 #include <utility>
 
 #include "base/stop.h"
+#include "scene/scene_access.h"
 #include "surface/kink_pieces.h"
 #include "surface/surface_clip.h"
 
 namespace truelux {
 namespace {
-
-RationalVector RationalOf(const PrimitiveVector& v) {
-  return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)};
-}
 
 /// Heights of a triangle's corners over the lit side of a surface.
 struct Standing {
@@ -73,9 +70,7 @@ std::vector<std::array<int, 2>> OutlineOf(const Scene& scene,
          scene.facets().subspan(static_cast<std::size_t>(f.first_facet),
                                 static_cast<std::size_t>(f.facet_count))) {
       if (facet.is_back) continue;
-      for (const Triangle& triangle : scene.triangles().subspan(
-               static_cast<std::size_t>(facet.first_triangle),
-               static_cast<std::size_t>(facet.triangle_count))) {
+      for (const Triangle& triangle : TrianglesOf(scene, facet)) {
         for (std::size_t k = 0; k < 3; ++k) {
           const int a = triangle.vertices[k];
           const int b = triangle.vertices[(k + 1) % 3];
@@ -115,9 +110,9 @@ std::vector<ExactSurfaceLine> JumpLinesOf(const Scene& scene,
   // The first face looks to the side to which its corners turn left; where it
   // begins with a corner that turns right, u x v points the other way.
   const std::array<Point3, 3> surface = CornersOfSurface(scene, frame);
-  const RationalVector base = truelux::RationalOf(surface[0]);
-  RationalVector up = Cross(truelux::RationalOf(surface[1]) - base,
-                            truelux::RationalOf(surface[2]) - base);
+  const RationalVector base = RationalOf(surface[0]);
+  RationalVector up =
+      Cross(RationalOf(surface[1]) - base, RationalOf(surface[2]) - base);
   if (is_reverse) up = -up;
   const SurfaceClip clip(scene, frame, faces);
   std::vector<std::pair<ExactSegment, std::vector<int>>> found;
@@ -125,7 +120,7 @@ std::vector<ExactSurfaceLine> JumpLinesOf(const Scene& scene,
     StopIfAsked(stop);
     Standing standing;
     for (std::size_t k = 0; k < 3; ++k) {
-      standing.corners[k] = truelux::RationalOf(
+      standing.corners[k] = RationalOf(
           scene.vertices()[static_cast<std::size_t>(triangle.vertices[k])]);
       standing.heights[k] = Dot(up, standing.corners[k] - base);
     }

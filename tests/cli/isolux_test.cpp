@@ -13,11 +13,13 @@
 #include <gtest/gtest.h>
 
 #include "cli/program.h"
+#include "support/csv_rows.h"
 #include "support/well_formed.h"
 
 namespace truelux::test {
 namespace {
 
+using truelux::testing::RowsOf;
 using Json = nlohmann::json;
 
 /// A square lamp of side 2, one unit above a floor of side 4.
@@ -39,22 +41,6 @@ constexpr std::string_view kBent =
 
 bool Contains(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
-}
-
-std::vector<std::vector<std::string>> RowsOf(const std::string& text) {
-  std::vector<std::vector<std::string>> rows;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) {
-    std::vector<std::string>& fields = rows.emplace_back(1);
-    for (const char c : line) {
-      if (c == ',') {
-        fields.emplace_back();
-      } else {
-        fields.back() += c;
-      }
-    }
-  }
-  return rows;
 }
 
 class IsoluxCommandLine : public ::testing::Test {

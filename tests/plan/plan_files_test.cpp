@@ -18,6 +18,7 @@
 #include "plan/plan_dxf.h"
 #include "plan/plan_json.h"
 #include "plan/plan_tables.h"
+#include "support/csv_rows.h"
 #include "support/scenes.h"
 
 namespace truelux {
@@ -25,22 +26,6 @@ namespace {
 
 using namespace testing;  // NOLINT(google-build-using-namespace)
 using Json = nlohmann::json;
-
-std::vector<std::vector<std::string>> RowsOf(const std::string& text) {
-  std::vector<std::vector<std::string>> rows;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) {
-    std::vector<std::string>& fields = rows.emplace_back(1);
-    for (const char c : line) {
-      if (c == ',') {
-        fields.emplace_back();
-      } else {
-        fields.back() += c;
-      }
-    }
-  }
-  return rows;
-}
 
 double NumberOf(const std::string& text) {
   char* end = nullptr;

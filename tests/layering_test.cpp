@@ -35,6 +35,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"explain", {"base", "scene", "visibility", "text"}},
     {"surface", {"base", "exact", "scene", "visibility", "explain"}},
     {"isolux", {"base", "exact", "scene", "run", "surface"}},
+    {"isomesh", {"base", "scene", "run", "surface", "isolux"}},
     {"draw", {"base"}},
     {"baselines", {"base", "exact", "scene", "visibility", "radiometry"}},
     {"inspect", {"base", "scene", "visibility", "text", "explain", "draw"}},

@@ -93,7 +93,8 @@ class Tracer {
                       ValueAt(q),
                       mesh_.CentreOf(found.triangle),
                       known.centre.gradient,
-                      t.kinds[found.side]};
+                      t.kinds[found.side],
+                      t.seams[found.side]};
     const std::array<int, 2> beside = {found.triangle, t.neighbors[found.side]};
     const auto in_region = [&](const PlanPoint& point) {
       return std::ranges::any_of(beside, [&](int triangle) {

@@ -69,6 +69,7 @@ ContourPoint ContourPointFinder::OnCrossing(const Crossing& crossing,
   const double length = LengthOf(way);
   ContourPoint point;
   point.on = crossing.on;
+  point.seam = crossing.seam;
   point.half_width = half_width_;
   double low = 0;
   double high = 1;

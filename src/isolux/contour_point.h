@@ -22,6 +22,7 @@ struct ContourPoint {
   double half_width = 0;  ///< [length]
   bool is_certified = false;
   SideKind on = SideKind::kInner;
+  int seam = -1;  ///< PlanTriangle::seams of the side that it is on
 };
 
 /// Where a level is passed along a segment.
@@ -34,6 +35,7 @@ struct Crossing {
   PlanPoint hint_at;
   PlanPoint hint;
   SideKind on = SideKind::kInner;
+  int seam = -1;
 };
 
 /// Whether a point is in the region that is looked at, beyond which E may jump.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include "isolux/cut_mesh.h"
 #include "scene/scene_access.h"
 
 namespace truelux {
@@ -103,14 +105,16 @@ class MeshMaker {
   FirstMesh Make() {
     for (const Segment& segment : segments_)
       plane_.insert_constraint(segment.from, segment.to);
+    NamePoints();
     NameFaces();
     FindSides();
-    MakePoints();
     FirstMesh result;
     SetScale(result.scale);
-    MovePoints(result.scale.margin);
+    mesh_ = CutApart(points_, std::move(mesh_.triangles));
+    MoveInwards(result.scale.margin, mesh_);
     result.left_out = DropFlat();
-    result.mesh = PlanMesh(std::move(points_), std::move(triangles_));
+    result.mesh = PlanMesh(std::move(mesh_.points), std::move(mesh_.triangles));
+    result.seams = std::move(seams_);
     return result;
   }
 
@@ -153,6 +157,14 @@ class MeshMaker {
     });
   }
 
+  void NamePoints() {
+    for (const Plane::Vertex_handle vertex : plane_.finite_vertex_handles()) {
+      vertex->info() = static_cast<int>(points_.size());
+      points_.push_back({CGAL::to_double(vertex->point().x()),
+                         CGAL::to_double(vertex->point().y())});
+    }
+  }
+
   void NameFaces() {
     for (const Plane::Face_handle face : plane_.finite_face_handles()) {
       face->info() = -1;
@@ -167,70 +179,55 @@ class MeshMaker {
   }
 
   void FindSides() {
-    triangles_.resize(handles_.size());
+    mesh_.triangles.resize(handles_.size());
     for (std::size_t i = 0; i < handles_.size(); ++i) {
       const Plane::Face_handle face = handles_[i];
-      PlanTriangle& triangle = triangles_[i];
+      PlanTriangle& triangle = mesh_.triangles[i];
       for (int k = 0; k < 3; ++k) {
         const auto side = static_cast<std::size_t>(k);
+        triangle.corners[side] = face->vertex(k)->info();
         triangle.neighbors[side] = face->neighbor(k)->info();
-        if (face->is_constrained(k)) SetKind(face, k, triangle);
-        if (triangle.neighbors[side] < 0 &&
-            triangle.kinds[side] != SideKind::kJump) {
-          triangle.kinds[side] = SideKind::kOutline;
-        }
-        if (triangle.kinds[side] == SideKind::kJump)
-          triangle.neighbors[side] = -1;
+        Seam seam;
+        if (face->is_constrained(k)) seam = SeamAt(face, k);
+        if (triangle.neighbors[side] < 0 && seam.kind != SideKind::kJump)
+          seam.kind = SideKind::kOutline;
+        if (seam.kind == SideKind::kJump) triangle.neighbors[side] = -1;
+        triangle.kinds[side] = seam.kind;
+        if (seam.kind != SideKind::kInner)
+          triangle.seams[side] = NameOf(seam, face, k);
       }
     }
   }
 
-  void SetKind(Plane::Face_handle face, int k, PlanTriangle& triangle) const {
-    const auto side = static_cast<std::size_t>(k);
+  /// What a side is, without its ends.
+  [[nodiscard]] Seam SeamAt(Plane::Face_handle face, int k) const {
+    Seam found;
     const Point middle = CGAL::midpoint(face->vertex(Plane::ccw(k))->point(),
                                         face->vertex(Plane::cw(k))->point());
     for (const Segment& segment : segments_) {
       // Between the surface's faces there is nothing to see.
       if (segment.kind == SideKind::kOutline) continue;
       if (!segment.Holds(middle)) continue;
-      triangle.kinds[side] = segment.kind;
-      triangle.lines[side] = segment.line;
-      if (segment.kind == SideKind::kJump) return;
+      found.kind = segment.kind;
+      found.line = segment.line;
+      if (segment.kind == SideKind::kJump) break;
     }
+    return found;
   }
 
-  /// A point for each corner of each group of triangles that hang together
-  /// around it.
-  void MakePoints() {
-    for (auto& triangle : triangles_)
-      triangle.corners = {-1, -1, -1};
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (triangles_[i].corners[k] >= 0) continue;
-        const Point& at = handles_[i]->vertex(static_cast<int>(k))->point();
-        const auto name = static_cast<int>(points_.size());
-        points_.push_back({CGAL::to_double(at.x()), CGAL::to_double(at.y())});
-        NameCorner(static_cast<int>(i), k, name);
-      }
+  /// Its index among the seams.
+  int NameOf(Seam seam, Plane::Face_handle face, int k) {
+    const std::pair<int, int> ends =
+        std::minmax(face->vertex(Plane::ccw(k))->info(),
+                    face->vertex(Plane::cw(k))->info());
+    const auto [entry, is_new] =
+        seam_names_.emplace(ends, static_cast<int>(seams_.size()));
+    if (is_new) {
+      seam.from = points_[static_cast<std::size_t>(ends.first)];
+      seam.to = points_[static_cast<std::size_t>(ends.second)];
+      seams_.push_back(seam);
     }
-  }
-
-  void NameCorner(int triangle, std::size_t corner, int name) {
-    const Plane::Vertex_handle vertex =
-        handles_[static_cast<std::size_t>(triangle)]->vertex(
-            static_cast<int>(corner));
-    std::vector<int> open = {triangle};
-    while (!open.empty()) {
-      const auto next = static_cast<std::size_t>(open.back());
-      open.pop_back();
-      const auto k = static_cast<std::size_t>(handles_[next]->index(vertex));
-      PlanTriangle& t = triangles_[next];
-      if (t.corners[k] >= 0) continue;
-      t.corners[k] = name;
-      for (const std::size_t side : {(k + 1) % 3, (k + 2) % 3}) {
-        if (t.neighbors[side] >= 0) open.push_back(t.neighbors[side]);
-      }
-    }
+    return entry->second;
   }
 
   void SetScale(PlanScale& scale) const {
@@ -245,74 +242,18 @@ class MeshMaker {
     scale.margin = PlanScale::kMargin * scale.size;
   }
 
-  /// The inward directions of the cut sides at each point.
-  void MovePoints(double margin) {
-    std::vector<std::vector<PlanPoint>> inward(points_.size());
-    for (const PlanTriangle& triangle : triangles_) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (triangle.neighbors[k] >= 0) continue;
-        const auto p = static_cast<std::size_t>(triangle.corners[(k + 1) % 3]);
-        const auto q = static_cast<std::size_t>(triangle.corners[(k + 2) % 3]);
-        const PlanPoint way = points_[q] - points_[p];
-        const double length = LengthOf(way);
-        const PlanPoint left = {-way.t / length, way.s / length};
-        inward[p].push_back(left);
-        inward[q].push_back(left);
-      }
-    }
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (inward[i].empty()) continue;
-      PlanPoint sum;
-      for (const PlanPoint& left : inward[i])
-        sum = sum + left;
-      // At two sides the point that is as far from both; at the end of a jump,
-      // where they are opposite, straight on.
-      if (inward[i].size() == 2) {
-        const double square = Dot(sum, sum);
-        if (square < 0x1p-30) {
-          sum = TipDirection(static_cast<int>(i));
-        } else {
-          sum = std::min(2 / square, 4.0) * sum;
-        }
-      }
-      points_[i] = points_[i] + margin * sum;
-    }
-  }
-
-  /// Away from the end of a jump, into the triangle that is opposite.
-  [[nodiscard]] PlanPoint TipDirection(int point) const {
-    PlanPoint sum;
-    for (const PlanTriangle& triangle : triangles_) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (triangle.corners[k] != point) continue;
-        for (const std::size_t side : {(k + 1) % 3, (k + 2) % 3}) {
-          if (triangle.neighbors[side] >= 0) continue;
-          // The other end of the cut side.
-          const auto end = static_cast<std::size_t>(
-              triangle
-                  .corners[side == (k + 1) % 3 ? (k + 2) % 3 : (k + 1) % 3]);
-          const PlanPoint way =
-              points_[static_cast<std::size_t>(point)] - points_[end];
-          sum = sum + (1 / LengthOf(way)) * way;
-        }
-      }
-    }
-    const double length = LengthOf(sum);
-    return length > 0 ? (1 / length) * sum : PlanPoint{};
-  }
-
   /// Drops triangles that rounding or the margin has turned over.
   int DropFlat() {
-    std::vector<int> names(triangles_.size(), -1);
+    std::vector<int> names(mesh_.triangles.size(), -1);
     std::vector<PlanTriangle> kept;
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-      const auto& c = triangles_[i].corners;
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+      const auto& c = mesh_.triangles[i].corners;
       const auto at = [&](std::size_t k) {
-        return points_[static_cast<std::size_t>(c[k])];
+        return mesh_.points[static_cast<std::size_t>(c[k])];
       };
       if (Cross(at(1) - at(0), at(2) - at(0)) <= 0) continue;
       names[i] = static_cast<int>(kept.size());
-      kept.push_back(triangles_[i]);
+      kept.push_back(mesh_.triangles[i]);
     }
     for (PlanTriangle& triangle : kept) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -322,8 +263,8 @@ class MeshMaker {
         if (neighbor < 0) triangle.kinds[k] = SideKind::kOutline;
       }
     }
-    const auto dropped = static_cast<int>(triangles_.size() - kept.size());
-    triangles_ = std::move(kept);
+    const auto dropped = static_cast<int>(mesh_.triangles.size() - kept.size());
+    mesh_.triangles = std::move(kept);
     return dropped;
   }
 
@@ -333,8 +274,10 @@ class MeshMaker {
   std::vector<Segment> segments_;
   std::vector<std::array<Point, 3>> covers_;  ///< of the surface
   std::vector<Plane::Face_handle> handles_;
-  std::vector<PlanTriangle> triangles_;
-  std::vector<PlanPoint> points_;
+  std::vector<PlanPoint> points_;  ///< of the triangulation's vertices
+  CutMesh mesh_;
+  std::vector<Seam> seams_;
+  std::map<std::pair<int, int>, int> seam_names_;  ///< by points
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #define TRUELUX_ISOLUX_FIRST_MESH_H_
 
 #include <span>
+#include <vector>
 
 #include "truelux/scene.h"
 
@@ -24,10 +25,19 @@ struct PlanScale {
   static constexpr double kMargin = 0x1p-36;
 };
 
+/// A line at which triangles end, from corner to corner.
+struct Seam {
+  PlanPoint from;  ///< not moved
+  PlanPoint to;
+  SideKind kind = SideKind::kInner;
+  int line = -1;  ///< of a kink or a jump: which of the lines
+};
+
 /// A mesh and its scale.
 struct FirstMesh {
   PlanMesh mesh{{}, {}};
   PlanScale scale;
+  std::vector<Seam> seams;  ///< PlanTriangle::seams are indices
   /// Triangles that were as thin as the margin and are left out.
   int left_out = 0;
 };
@@ -37,8 +47,7 @@ struct FirstMesh {
 /// is cut apart. Points on outlines and on jumps are moved inwards by the margin,
 /// so that no receiver lies on a face that stands there.
 ///
-/// faces: FacesOfSide. lines: on these faces, with PlanTriangle::lines as
-/// indices.
+/// faces: FacesOfSide. lines: on these faces.
 FirstMesh FirstMeshOf(const Scene& scene, const PlanFrame& plan,
                       std::span<const int> faces,
                       std::span<const ExactSurfaceLine> lines);

@@ -64,7 +64,7 @@ class IsoluxFinder {
                const Watch& watch)
       : oracle_(oracle), options_(options), watch_(watch) {}
 
-  Isolux Find(const std::string& surface) {
+  TracedSurface Find(const std::string& surface) {
     prepared_ = PrepareSurface(oracle_, surface, options_.channel,
                                options_.threads, watch_);
     result_.lines.notes = prepared_.notes;
@@ -85,7 +85,7 @@ class IsoluxFinder {
     for (const auto& side : prepared_.sides)
       Trace(*side);
     std::ranges::stable_sort(result_.contours, {}, &Contour::level);
-    return std::move(result_);
+    return {std::move(prepared_), std::move(lines_), std::move(result_)};
   }
 
  private:
@@ -143,13 +143,14 @@ class IsoluxFinder {
     wishes.half_width = options_.half_width > 0 ? options_.half_width
                                                 : kHalfWidth * result_.size;
     wishes.chord = options_.chord > 0 ? options_.chord : kChord * result_.size;
-    const auto lines =
+    auto lines =
         ContourLinesOf(side.probe(), side.features(), side.search(),
                        result_.levels, wishes, options_.threads, watch_);
     for (const ContourLine& line : lines)
       AddContour(side.plan(), line);
     result_.search_evaluations += searched;
     result_.line_evaluations += side.probe().count() - searched;
+    lines_.push_back(std::move(lines));
     AddAreas(side);
   }
 
@@ -198,6 +199,7 @@ class IsoluxFinder {
   const IsoluxOptions& options_;
   const Watch& watch_;
   PreparedSurface prepared_;
+  std::vector<std::vector<ContourLine>> lines_;
   Isolux result_;
 };
 
@@ -221,10 +223,15 @@ SurfaceLines FindSurfaceLines(const Oracle& oracle, const std::string& surface,
   return result;
 }
 
-Isolux FindIsolux(const Oracle& oracle, const std::string& surface,
-                  const IsoluxOptions& options, const Watch& watch) {
+TracedSurface TraceSurface(const Oracle& oracle, const std::string& surface,
+                           const IsoluxOptions& options, const Watch& watch) {
   Check(options);
   return IsoluxFinder(oracle, options, watch).Find(surface);
+}
+
+Isolux FindIsolux(const Oracle& oracle, const std::string& surface,
+                  const IsoluxOptions& options, const Watch& watch) {
+  return TraceSurface(oracle, surface, options, watch).isolux;
 }
 
 }  // namespace truelux

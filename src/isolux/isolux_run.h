@@ -5,9 +5,12 @@
 #define TRUELUX_ISOLUX_ISOLUX_RUN_H_
 
 #include <string>
+#include <vector>
 
 #include "truelux/isolux.h"
 
+#include "isolux/contour_lines.h"
+#include "isolux/prepared_surface.h"
 #include "run/watch.h"
 
 namespace truelux {
@@ -18,6 +21,18 @@ SurfaceLines FindSurfaceLines(const Oracle& oracle, const std::string& surface,
                               const Watch& watch);
 Isolux FindIsolux(const Oracle& oracle, const std::string& surface,
                   const IsoluxOptions& options, const Watch& watch);
+
+/// A surface and its contours, for who goes on from there.
+struct TracedSurface {
+  PreparedSurface prepared;
+  /// For each side: its contours, as in `isolux`, on its plan.
+  std::vector<std::vector<ContourLine>> lines;
+  Isolux isolux;
+};
+
+/// FindIsolux with what it knew.
+TracedSurface TraceSurface(const Oracle& oracle, const std::string& surface,
+                           const IsoluxOptions& options, const Watch& watch);
 
 }  // namespace truelux
 

@@ -74,12 +74,12 @@ int PlanMesh::SplitAt(int triangle, std::size_t side, int point,
   near.corners[c] = point;
   near.neighbors[b] = added;
   near.kinds[b] = SideKind::kInner;
-  near.lines[b] = -1;
+  near.seams[b] = -1;
   PlanTriangle far = old;
   far.corners[b] = point;
   far.neighbors[c] = triangle;
   far.kinds[c] = SideKind::kInner;
-  far.lines[c] = -1;
+  far.seams[c] = -1;
   triangles_[static_cast<std::size_t>(triangle)] = near;
   triangles_.push_back(far);
   if (const int beyond = old.neighbors[b]; beyond >= 0) {

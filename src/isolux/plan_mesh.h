@@ -27,8 +27,9 @@ struct PlanTriangle {
   std::array<int, 3> corners{};    ///< indices into PlanMesh::points()
   std::array<int, 3> neighbors{};  ///< triangles; -1: none
   std::array<SideKind, 3> kinds{};
-  /// Of a kink or a jump: whose it is, as the maker of the mesh counts; else -1.
-  std::array<int, 3> lines{-1, -1, -1};
+  /// Of which line of the first mesh they are parts, as its maker counts; -1: of
+  /// none.
+  std::array<int, 3> seams{-1, -1, -1};
 };
 
 /// Triangles that fill a surface side by side, corner to corner.

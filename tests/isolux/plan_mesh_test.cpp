@@ -61,7 +61,7 @@ void ExpectMatching(const PlanMesh& mesh) {
       EXPECT_EQ(other.corners[(back + 1) % 3], t.corners[(k + 2) % 3]);
       EXPECT_EQ(other.corners[(back + 2) % 3], t.corners[(k + 1) % 3]);
       EXPECT_EQ(other.kinds[back], t.kinds[k]);
-      EXPECT_EQ(other.lines[back], t.lines[k]);
+      EXPECT_EQ(other.seams[back], t.seams[k]);
     }
   }
 }

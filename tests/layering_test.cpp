@@ -50,7 +50,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
       "baselines"}},
     {"cli",
      {"base", "scene", "text", "run", "explain", "draw", "inspect", "compare",
-      "gradient", "image", "isolux", "plan", "study", "baselines"}},
+      "gradient", "image", "isolux", "isomesh", "plan", "study", "baselines"}},
 };
 
 struct Source {

@@ -9,12 +9,16 @@
 
 #include "truelux/irradiance.h"
 #include "truelux/isolux.h"
+#include "truelux/isomesh.h"
 
 #include "cli/isolux_request.h"
 #include "cli/loading.h"
 #include "cli/output_paths.h"
 #include "isolux/extrema_run.h"
 #include "isolux/isolux_run.h"
+#include "isomesh/iso_mesh_run.h"
+#include "plan/mesh_files.h"
+#include "plan/mesh_notes.h"
 #include "plan/plan_dxf.h"
 #include "plan/plan_json.h"
 #include "plan/plan_notes.h"
@@ -54,8 +58,10 @@ PlanSubject SubjectOf(const Scene& scene, const IsoluxRequest& request) {
   return subject;
 }
 
-std::string FileText(PlanFormat format, const Isolux& isolux,
+/// mesh: with its triangles if a file has them.
+std::string FileText(PlanFormat format, const IsoMesh& mesh,
                      const PlanSubject& subject) {
+  const Isolux& isolux = mesh.isolux;
   switch (format) {
     case PlanFormat::kCsv:
       break;
@@ -65,28 +71,44 @@ std::string FileText(PlanFormat format, const Isolux& isolux,
       return PlanSvg(isolux, subject);
     case PlanFormat::kDxf:
       return PlanDxf(isolux);
+    case PlanFormat::kObj:
+      return MeshObj(mesh, subject);
+    case PlanFormat::kPly:
+      return MeshPly(mesh, subject);
+    case PlanFormat::kVtu:
+      return MeshVtu(mesh, subject);
   }
   return ContourCsv(isolux);
 }
 
-/// With the lines alone as a result if no more is asked for.
-Isolux Find(const Oracle& oracle, const IsoluxRequest& request) {
+/// What is asked for of it: the lines alone, contours without a mesh, or all.
+IsoMesh Find(const Oracle& oracle, const IsoluxRequest& request) {
+  IsoMesh found;
+  if (request.has_mesh) {
+    IsoMeshOptions wishes = request.mesh_wishes;
+    wishes.contours = request.wishes;
+    return FindIsoMesh(oracle, request.surface, wishes, UserAtTerminal());
+  }
   if (request.has_contours) {
-    return FindIsolux(oracle, request.surface, request.wishes,
-                      UserAtTerminal());
+    found.isolux =
+        FindIsolux(oracle, request.surface, request.wishes, UserAtTerminal());
+  } else if (request.has_lines) {
+    found.isolux.lines =
+        FindSurfaceLines(oracle, request.surface, UserAtTerminal());
   }
-  Isolux isolux;
-  if (request.has_lines) {
-    isolux.lines = FindSurfaceLines(oracle, request.surface, UserAtTerminal());
-  }
-  return isolux;
+  return found;
 }
 
-void PrintNotes(const Isolux& isolux, const IsoluxRequest& request) {
+void PrintNotes(const IsoMesh& mesh, const IsoluxRequest& request) {
+  const Isolux& isolux = mesh.isolux;
   Print(isolux.lines.notes);
   if (request.has_contours) {
     for (const std::string& note : PlanNotes(isolux))
       PrintNote(note);
+    if (request.has_mesh) {
+      for (const std::string& note : MeshNotes(mesh))
+        PrintNote(note);
+    }
     PrintNote(WorkNote(isolux));
   } else if (request.has_lines) {
     for (const std::string& note : LineNotes(isolux.lines))
@@ -119,8 +141,8 @@ ExitStatus RunIsolux(const IsoluxArguments& arguments) {
 
   const Oracle oracle(LoadScene(request.scene, request.outputs),
                       request.options);
-  const Isolux isolux = ByOptions([&] { return Find(oracle, request); });
-  PrintNotes(isolux, request);
+  const IsoMesh mesh = ByOptions([&] { return Find(oracle, request); });
+  PrintNotes(mesh, request);
   std::string extrema;
   if (request.has_extrema) {
     extrema =
@@ -130,11 +152,12 @@ ExitStatus RunIsolux(const IsoluxArguments& arguments) {
   const PlanSubject subject = SubjectOf(oracle.scene(), request);
   for (std::size_t i = 0; i < request.formats.size(); ++i) {
     StopIfInterrupted();
-    files[i].Write(FileText(request.formats[i], isolux, subject));
+    files[i].Write(FileText(request.formats[i], mesh, subject));
   }
   std::size_t next = request.formats.size();
   if (request.has_lines) {
-    files[next++].Write(SurfaceLineCsv(isolux.lines, subject.vertex_numbers));
+    files[next++].Write(
+        SurfaceLineCsv(mesh.isolux.lines, subject.vertex_numbers));
   }
   if (request.has_extrema) files[next].Write(extrema);
   // Names are given at the very end, when nothing can fail but the naming.

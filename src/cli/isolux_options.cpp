@@ -33,6 +33,10 @@ constexpr const char* kFilesHelp =
     "  .svg   a plan with a legend, the levels in gaps of the lines\n"
     "  .dxf   for CAD, release 12: a layer a level, LEVEL_0_5 for 0.5, and\n"
     "         OUTLINE, JUMPS, KINKS, OPEN, in the scene's frame\n"
+    "  .obj   a mesh whose edges follow all these lines, E as vt E 0\n"
+    "  .ply   the same with E,E_r,E_g,E_b at vertices\n"
+    "  .vtu   the same for VTK and ParaView; notes say how wrong it is to\n"
+    "         interpolate in the mesh, beside a uniform one\n"
     "docs/isolux.md tells what is proven and how.\n";
 
 constexpr const char* kExamples =
@@ -71,8 +75,8 @@ std::vector<OptionRow> OptionsOf(IsoluxArguments& arguments) {
       {.name = "-o,--output",
        .target = &arguments.outputs,
        .value = "FILE",
-       .help = "where to write, .csv, .json, .svg or .dxf; may be given more\n"
-               "than once; - is standard output, a table, and the default"},
+       .help = "where to write, by the endings above; may be given more than\n"
+               "once; - is standard output, a table, and the default"},
       {.name = "--lines",
        .target = &arguments.lines,
        .value = "FILE.csv",
@@ -109,6 +113,22 @@ std::vector<OptionRow> OptionsOf(IsoluxArguments& arguments) {
        .target = &arguments.most_triangles,
        .value = "N",
        .help = "so many of them at most, by default 4 million"},
+      {.name = "--mesh-error",
+       .target = &arguments.mesh_error,
+       .value = "E",
+       .help =
+           "triangles of the mesh are divided until interpolation is wrong\n"
+           "by no more at three points of each [W/m^2]; by default 1/100\n"
+           "of the difference between the largest and the least value"},
+      {.name = "--mesh-smallest",
+       .target = &arguments.mesh_smallest,
+       .value = "L",
+       .help = "with sides up to this they are not divided [length]; by\n"
+               "default 2^-12 of the surface's longer side"},
+      {.name = "--mesh-vertices",
+       .target = &arguments.mesh_vertices,
+       .value = "N",
+       .help = "nor if there are so many vertices; by default 1 million"},
       MethodOption(arguments.method),
       EmissionOption(arguments.emission),
       ThreadsOption(arguments.threads),

@@ -2,6 +2,7 @@
 #include "cli/isolux_request.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -26,12 +27,26 @@ PlanFormat FormatOf(const std::string& path) {
   if (path.empty()) return PlanFormat::kCsv;
   const std::string ending =
       LowerAscii(std::filesystem::path(path).extension().string());
-  if (ending == ".csv") return PlanFormat::kCsv;
-  if (ending == ".json") return PlanFormat::kJson;
-  if (ending == ".svg") return PlanFormat::kSvg;
-  if (ending == ".dxf") return PlanFormat::kDxf;
+
+  struct Ending {
+    std::string_view text;
+    PlanFormat format;
+  };
+
+  constexpr std::array<Ending, 7> kEndings = {{{".csv", PlanFormat::kCsv},
+                                               {".json", PlanFormat::kJson},
+                                               {".svg", PlanFormat::kSvg},
+                                               {".dxf", PlanFormat::kDxf},
+                                               {".obj", PlanFormat::kObj},
+                                               {".ply", PlanFormat::kPly},
+                                               {".vtu", PlanFormat::kVtu}}};
+  for (const Ending& known : kEndings) {
+    if (known.text == ending) return known.format;
+  }
   throw UsageError(fmt::format(
-      "--output: '{}' ends with none of .csv, .json, .svg and .dxf", path));
+      "--output: '{}' ends with none of .csv, .json, .svg, .dxf, .obj, .ply "
+      "and .vtu",
+      path));
 }
 
 void ParseOutputs(const IsoluxArguments& arguments, IsoluxRequest& request) {
@@ -41,6 +56,7 @@ void ParseOutputs(const IsoluxArguments& arguments, IsoluxRequest& request) {
     request.formats.push_back(FormatOf(path));
     request.outputs.push_back({"--output", path});
   }
+  request.has_mesh = std::ranges::any_of(request.formats, IsOfMesh);
   if (!request.has_contours && !request.formats.empty()) {
     throw UsageError(
         "--count 0 finds no contours, only --lines and --extrema: --output has "
@@ -111,6 +127,33 @@ void ParseWishes(const IsoluxArguments& arguments, IsoluxRequest& request) {
   }
 }
 
+void ParseMeshWishes(const IsoluxArguments& arguments, IsoluxRequest& request) {
+  constexpr std::int64_t kMostVertices = 1'000'000'000;
+
+  struct Given {
+    const char* name;
+    const std::optional<std::string>& word;
+  };
+
+  const Given error = {"--mesh-error", arguments.mesh_error};
+  const Given smallest = {"--mesh-smallest", arguments.mesh_smallest};
+  const Given vertices = {"--mesh-vertices", arguments.mesh_vertices};
+  for (const Given& given : {error, smallest, vertices}) {
+    if (given.word && !request.has_mesh) {
+      throw UsageError(
+          fmt::format("{} needs an --output that ends with .obj, .ply or .vtu",
+                      given.name));
+    }
+  }
+  IsoMeshOptions& wishes = request.mesh_wishes;
+  if (error.word) wishes.error = SizeValue(error.name, *error.word);
+  if (smallest.word) wishes.smallest = SizeValue(smallest.name, *smallest.word);
+  if (vertices.word) {
+    wishes.most_vertices = static_cast<std::size_t>(
+        WholeNumberValue(vertices.name, *vertices.word, 1, kMostVertices));
+  }
+}
+
 }  // namespace
 
 IsoluxRequest ParseIsoluxRequest(const IsoluxArguments& arguments) {
@@ -121,6 +164,7 @@ IsoluxRequest ParseIsoluxRequest(const IsoluxArguments& arguments) {
   request.surface = arguments.surface;
   ParseWishes(arguments, request);
   ParseOutputs(arguments, request);
+  ParseMeshWishes(arguments, request);
   request.options.method = MethodOf(arguments.method);
   request.options.emission = EmissionOf(arguments.emission);
   request.options.stop = InterruptFlag();

@@ -10,6 +10,7 @@
 
 #include "truelux/irradiance.h"
 #include "truelux/isolux.h"
+#include "truelux/isomesh.h"
 
 #include "cli/input_arguments.h"
 #include "cli/output_paths.h"
@@ -30,13 +31,21 @@ struct IsoluxArguments {
   std::string half_width = "0";
   std::string smallest = "0";
   std::optional<std::string> most_triangles;
+  std::optional<std::string> mesh_error;
+  std::optional<std::string> mesh_smallest;
+  std::optional<std::string> mesh_vertices;
   std::string method;
   std::string emission;
   std::string threads;
 };
 
-/// How contours are written.
-enum class PlanFormat { kCsv, kJson, kSvg, kDxf };
+/// How contours are written, and the mesh along them.
+enum class PlanFormat { kCsv, kJson, kSvg, kDxf, kObj, kPly, kVtu };
+
+/// Whether a file has the mesh.
+[[nodiscard]] constexpr bool IsOfMesh(PlanFormat format) {
+  return format >= PlanFormat::kObj;
+}
 
 /// What is to be done, as plain values.
 struct IsoluxRequest {
@@ -44,7 +53,9 @@ struct IsoluxRequest {
   std::string surface;
   OracleOptions options;
   IsoluxOptions wishes;
-  bool has_contours = true;  ///< whether contours are looked for
+  IsoMeshOptions mesh_wishes;  ///< without those of contours
+  bool has_contours = true;    ///< whether contours are looked for
+  bool has_mesh = false;       ///< and a mesh along them
   /// All files that are written: of contours in `formats`, then the lines, if
   /// has_lines, and extrema, if has_extrema.
   OutputPaths outputs;

@@ -190,7 +190,7 @@ class MeshMaker {
         Seam seam;
         if (face->is_constrained(k)) seam = SeamAt(face, k);
         if (triangle.neighbors[side] < 0 && seam.kind != SideKind::kJump)
-          seam.kind = SideKind::kOutline;
+          seam = {{}, {}, SideKind::kOutline, -1};
         if (seam.kind == SideKind::kJump) triangle.neighbors[side] = -1;
         triangle.kinds[side] = seam.kind;
         if (seam.kind != SideKind::kInner)

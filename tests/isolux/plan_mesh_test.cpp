@@ -118,6 +118,40 @@ TEST(PlanMesh, StaysAMeshWhenHalved) {
   EXPECT_GE(LeastAngle(mesh), angle / 2 - 1e-9);
 }
 
+TEST(FirstMesh, SidesKnowTheirSeams) {
+  const LitFloor floor = BoxFloor();
+  const FirstMesh& first = floor.first();
+  PlanMesh mesh = first.mesh;
+  for (int i = 0; i < 100; ++i)
+    mesh.Halve(7 * i % static_cast<int>(mesh.triangles().size()),
+               [](int, int) {});
+  std::vector<int> counts(first.seams.size());
+  for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
+    const PlanTriangle& triangle = mesh.triangles()[i];
+    const auto corners = mesh.CornersOf(static_cast<int>(i));
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(triangle.seams[k] >= 0, triangle.kinds[k] != SideKind::kInner);
+      if (triangle.seams[k] < 0) continue;
+      const auto name = static_cast<std::size_t>(triangle.seams[k]);
+      const Seam& seam = first.seams[name];
+      ++counts[name];
+      EXPECT_EQ(seam.kind, triangle.kinds[k]);
+      EXPECT_EQ(seam.line >= 0, seam.kind != SideKind::kOutline);
+      const PlanPoint way = seam.to - seam.from;
+      for (const std::size_t end : {(k + 1) % 3, (k + 2) % 3}) {
+        const PlanPoint to = corners[end] - seam.from;
+        EXPECT_LT(std::fabs(Cross(way, to)) / truelux::LengthOf(way),
+                  8 * first.scale.margin);
+        EXPECT_GT(Dot(way, to), -1e-9);
+        EXPECT_LT(Dot(way, to), Dot(way, way) + 1e-9);
+      }
+    }
+  }
+  // An outline has a triangle at each part of it, others have two.
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    EXPECT_GE(counts[i], first.seams[i].kind == SideKind::kOutline ? 1 : 2);
+}
+
 TEST(FirstMesh, CoversTheSurfaceAndHasItsLines) {
   const LitFloor floor = BoxFloor();
   const FirstMesh& first = floor.first();

@@ -76,7 +76,7 @@ std::string FileText(PlanFormat format, const IsoMesh& mesh,
     case PlanFormat::kPly:
       return MeshPly(mesh, subject);
     case PlanFormat::kVtu:
-      return MeshVtu(mesh, subject);
+      return MeshVtu(mesh);
   }
   return ContourCsv(isolux);
 }

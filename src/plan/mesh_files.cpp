@@ -25,12 +25,11 @@ void AppendRow(std::string& text, const Point3& p) {
   AppendRow(text, {p.x, p.y, p.z});
 }
 
-/// What the numbers are, within one line. Names of users may have line ends and
-/// what XML forbids in comments.
+/// What the numbers are, within one line.
 std::string Remark(const PlanSubject& subject) {
   std::string names = subject.surface + " of " + subject.scene;
   std::ranges::replace_if(
-      names, [](char c) { return c < ' ' || c == '-'; }, '_');
+      names, [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return "irradiance E [W/m^2] on " + names + ", of " + subject.channel;
 }
 
@@ -111,7 +110,7 @@ std::string MeshPly(const IsoMesh& mesh, const PlanSubject& subject) {
          });
 }
 
-std::string MeshVtu(const IsoMesh& mesh, const PlanSubject& subject) {
+std::string MeshVtu(const IsoMesh& mesh) {
   std::string points;
   std::string values;
   std::string colours;
@@ -140,8 +139,7 @@ std::string MeshVtu(const IsoMesh& mesh, const PlanSubject& subject) {
       Rows(mesh, [](std::string& row, std::size_t /*i*/, Row triangle) {
         AppendWhole(row, triangle.sides);
       });
-  return "<?xml version=\"1.0\"?>\n<!-- " + Remark(subject) +
-         " -->\n"
+  return "<?xml version=\"1.0\"?>\n"
          "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
          "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
          "<Piece NumberOfPoints=\"" +

@@ -26,8 +26,7 @@ namespace truelux {
 /// [W/m^2]; for triangles the face that is theirs, and what their three sides lie
 /// on, from that of vertices 2 and 3 on: 0 nothing, 1 contour, 2 kink, 3 jump, 4
 /// outline.
-[[nodiscard]] std::string MeshVtu(const IsoMesh& mesh,
-                                  const PlanSubject& subject);
+[[nodiscard]] std::string MeshVtu(const IsoMesh& mesh);
 
 }  // namespace truelux
 

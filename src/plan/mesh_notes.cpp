@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plan/mesh_notes.h"
 
+#include <cstddef>
 #include <fmt/format.h>
+#include <string_view>
 
 #include "plan/plan_notes.h"
 
 namespace truelux {
 namespace {
+
+std::string Counted(std::size_t count, std::string_view one,
+                    std::string_view more) {
+  return fmt::format("{} {}", count, count == 1 ? one : more);
+}
 
 std::string ErrorText(const InterpolationError& error) {
   return fmt::format("{} at most, {} in 99 % of the points, {} on the average",
@@ -18,10 +25,11 @@ std::string ErrorText(const InterpolationError& error) {
 
 std::vector<std::string> MeshNotes(const IsoMesh& mesh) {
   std::vector<std::string> notes;
-  notes.push_back(fmt::format(
-      "the mesh has {} vertices and {} triangles, with angles from {} degrees",
-      mesh.vertices.size(), mesh.triangles.size(),
-      ShortNumber(mesh.least_angle)));
+  notes.push_back(
+      fmt::format("the mesh has {} and {}, with angles from {} degrees",
+                  Counted(mesh.vertices.size(), "vertex", "vertices"),
+                  Counted(mesh.triangles.size(), "triangle", "triangles"),
+                  ShortNumber(mesh.least_angle)));
   notes.push_back("interpolation in it was found wrong by " +
                   ErrorText(mesh.interpolation) + " [W/m^2]");
   notes.push_back(
@@ -29,15 +37,17 @@ std::vector<std::string> MeshNotes(const IsoMesh& mesh) {
       ErrorText(mesh.uniform));
   if (mesh.unfinished > 0) {
     notes.push_back(fmt::format(
-        "{} triangles are wrong by more than {} and not divided: they are too "
-        "small, or the mesh has too many vertices",
-        mesh.unfinished, ShortNumber(mesh.error)));
+        "{} wrong by more than {} and not divided: too small, or the mesh has "
+        "too many vertices",
+        Counted(mesh.unfinished, "triangle is", "triangles are"),
+        ShortNumber(mesh.error)));
   }
   if (mesh.drawn > 0) {
     notes.push_back(fmt::format(
-        "{} vertices of contours are drawn to the corners of lines, by {} at "
-        "most",
-        mesh.drawn, ShortBound(mesh.most_drawn)));
+        "{} drawn to the corners of lines, by {} at most",
+        Counted(static_cast<std::size_t>(mesh.drawn), "vertex of a contour is",
+                "vertices of contours are"),
+        ShortBound(mesh.most_drawn)));
   }
   return notes;
 }

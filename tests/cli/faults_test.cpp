@@ -192,6 +192,12 @@ INSTANTIATE_TEST_SUITE_P(
                        "1", "--chord", "0.5", "--smallest", "0.5", "-o",
                        "@out.csv", "--lines", "@out", "--threads", "2"},
                       true},
+        FaultyCommand{
+            "IsoMesh",
+            {"isolux", "@floor.obj", "--surface", "floor", "--count", "1",
+             "--chord", "0.5", "--smallest", "0.5", "--mesh-smallest", "1",
+             "-o", "@out.vtu", "--threads", "2"},
+            true},
         FaultyCommand{"Bench",
                       {"bench", "@square.obj", "@in.csv", "-o", "@out.html",
                        "--quick", "--seconds", "1e-9", "--receivers", "1"},

@@ -124,8 +124,9 @@ TEST_F(IsoluxCommandLine, AllFilesAtOnceWhateverTheThreads) {
   for (const char* threads : {"1", "2"}) {
     std::vector<std::string> words = {"--count", "3", "--threads", threads};
     std::vector<std::string>& own = texts.emplace_back();
-    const std::vector<std::string> names = {"a.csv", "a.json", "a.svg", "a.dxf",
-                                            "a.SVG"};
+    const std::vector<std::string> names = {"a.csv", "a.json", "a.svg",
+                                            "a.dxf", "a.SVG",  "a.obj",
+                                            "a.ply", "a.vtu"};
     for (const std::string& name : names) {
       words.emplace_back("-o");
       words.push_back(folder_ / name);
@@ -154,13 +155,34 @@ TEST_F(IsoluxCommandLine, AllFilesAtOnceWhateverTheThreads) {
   EXPECT_EQ(texts[0][2], texts[0][4]);
   EXPECT_EQ(truelux::testing::CountOf(texts[0][3], "\nVERTEX\n"), vertices);
   EXPECT_TRUE(texts[0][3].ends_with("\n0\nEOF\n"));
-  const auto lines = RowsOf(texts[0][5]);
+  const std::size_t corners =
+      truelux::testing::CountOf("\n" + texts[0][5], "\nv ");
+  EXPECT_GT(corners, 100U);
+  EXPECT_TRUE(
+      Contains(texts[0][6], "element vertex " + std::to_string(corners)));
+  EXPECT_TRUE(Contains(texts[0][7],
+                       "NumberOfPoints=\"" + std::to_string(corners) + '"'));
+  const auto lines = RowsOf(texts[0].back());
   EXPECT_EQ(lines[0].back(), "edges");
   EXPECT_EQ(lines.size(), json["lines"].size() + 1);
   // The box's four walls stand on the floor.
   EXPECT_GE(std::ranges::count_if(
                 lines, [](const auto& row) { return row[0] == "jump"; }),
             4);
+}
+
+TEST_F(IsoluxCommandLine, AMeshSaysHowWrongItIs) {
+  const auto run = [&](const char* error) {
+    const Outcome outcome = Run(box_, {"--count", "3", "--mesh-error", error,
+                                       "-o", folder_ / "mesh.ply"});
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    EXPECT_TRUE(Contains(outcome.err, "note: the mesh has ")) << outcome.err;
+    EXPECT_TRUE(
+        Contains(outcome.err, "note: interpolation in it was found wrong by "));
+    EXPECT_TRUE(Contains(outcome.err, "note: a uniform mesh of "));
+    return ReadFile(folder_ / "mesh.ply").size();
+  };
+  EXPECT_GT(run("0.004"), run("0.03"));
 }
 
 TEST_F(IsoluxCommandLine, LinesAlone) {
@@ -242,16 +264,23 @@ TEST_F(IsoluxCommandLine, WrongWordsAreRefusedInOneLine) {
       {{"--half-width", "-1e-3"}, "--half-width: '-1e-3' is not a number from"},
       {{"--smallest", "x"}, "--smallest: 'x' is not a number from 0 upwards"},
       {{"--most-triangles", "0"}, "--most-triangles: '0' is not a whole"},
+      {{"--mesh-error", "0.1"}, "--mesh-error needs an --output that ends"},
+      {{"--mesh-smallest", "1"}, "--mesh-smallest needs an --output that ends"},
+      {{"--mesh-vertices", "9"}, "--mesh-vertices needs an --output that ends"},
+      {{"--mesh-error", "-1", "-o", folder_ / "a.ply"},
+       "--mesh-error: '-1' is not a number from 0"},
+      {{"--mesh-vertices", "0", "-o", folder_ / "a.ply"},
+       "--mesh-vertices: '0' is not a whole number"},
       {{"--channel", "x"}, "--channel: x not in {luminance,r,g,b}"},
       {{"--threads", "0"}, "--threads: '0' is not a whole number"},
-      {{"-o", folder_ / "a.pdf"}, "ends with none of .csv, .json, .svg and"},
-      {{"-o", folder_ / "svg"}, "ends with none of .csv, .json, .svg and"},
+      {{"-o", folder_ / "a.pdf"}, "ends with none of .csv, .json, .svg, .dxf"},
+      {{"-o", folder_ / "svg"}, "ends with none of .csv, .json, .svg, .dxf"},
       {{"-o", ""}, "--output: the file name is empty"},
       {{"--lines", "-"}, "--lines: '-' is no file"},
       {{"--extrema", "-"}, "--extrema: '-' is no file"},
       {{"--lines", folder_ / "./out.csv"}, "are the same file"},
       {{"-o", "-", "-o", "-"}, "are the same file"},
-      {{"-o", box_}, "ends with none of .csv"}};
+      {{"-o", box_}, "is also the input"}};
   for (const Refusal& refusal : refusals) {
     std::vector<std::string> words = refusal.words;
     words.insert(words.end(), {"-o", out});

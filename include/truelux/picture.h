@@ -40,6 +40,14 @@ struct ImageText {
   std::string text;
 };
 
+/// A line on which the channel of a false-colour picture has a value.
+struct PictureContour {
+  double level = 0;  ///< [W/m^2]
+  /// [px] from the left upper corner, y downwards; a closed line ends where it
+  /// begins.
+  std::vector<std::array<double, 2>> path;
+};
+
 /// The look of the picture of the irradiance. An EXR file holds the numbers
 /// themselves, so that only `texts` matters there.
 struct PictureStyle {
@@ -50,6 +58,10 @@ struct PictureStyle {
   std::optional<double> white;
   bool false_colour = false;  ///< one channel by colours of a scale
   bool isolux = true;         ///< with false_colour: lines at the ticks
+  /// These lines, ascending by levels, drawn smoothly and with their numbers
+  /// (PictureContoursOf in render.h); nothing: where a level is passed from
+  /// pixel to pixel.
+  std::optional<std::vector<PictureContour>> contours{};
   /// The channel of false_colour; nothing: the luminance.
   std::optional<ScalarChannel> channel;
 };

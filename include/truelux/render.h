@@ -89,6 +89,17 @@ struct Rendering {
                                               const PictureSize& size,
                                               const RenderOptions& options);
 
+/// The contours that PictureOf draws on a false-colour picture of a surface, at
+/// the ticks of its scale. Each vertex is certified within a fifth of a pixel;
+/// lines that go around fewer than nine pixels may be missed (isolux.h proves
+/// which there are). They are of the surface's own faces. image, style: as
+/// PictureOf takes them, image as Render has it for this surface. Throws as
+/// Render does.
+[[nodiscard]] TRUELUX_EXPORT std::vector<PictureContour> PictureContoursOf(
+    const Oracle& oracle, const std::string& surface,
+    const IrradianceImage& image, const PictureStyle& style, int threads = 1,
+    const ProgressHook& progress = {});
+
 }  // namespace truelux
 
 #endif  // TRUELUX_RENDER_H_

@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "truelux/picture.h"
@@ -17,6 +18,7 @@
 
 #include "cli/loading.h"
 #include "cli/part_key.h"
+#include "image/picture_contours.h"
 #include "image/picture_view.h"
 #include "image/pixel_part.h"
 #include "image/pixel_table.h"
@@ -87,6 +89,21 @@ void WritePicture(OutputFile& file, const IrradianceImage& image,
   file.Write(picture.bytes);
 }
 
+/// With the contours of a surface, if its picture shows some. Pixels on other
+/// faces, or of a camera, do not lie on one surface.
+PictureStyle StyleWithContours(const Oracle& oracle,
+                               const RenderRequest& request,
+                               const IrradianceImage& image) {
+  PictureStyle style = request.style;
+  const auto* surface = std::get_if<std::string>(&request.subject);
+  if (style.false_colour && style.isolux && surface != nullptr &&
+      !request.on_face) {
+    style.contours = FindPictureContours(oracle, *surface, image, style,
+                                         request.threads, UserAtTerminal());
+  }
+  return style;
+}
+
 /// What --on-face makes of the receivers; null without it.
 std::unique_ptr<PixelReceivers> OnOtherFaces(const Scene& scene,
                                              const PixelReceivers& shown,
@@ -153,7 +170,8 @@ ExitStatus RunRender(const RenderArguments& arguments) {
 
   NoteDarkness(oracle.scene(), receivers, pixels.image);
   auto file = files.begin();
-  WritePicture(*file++, pixels.image, request.style);
+  WritePicture(*file++, pixels.image,
+               StyleWithContours(oracle, request, pixels.image));
   if (request.receivers_out)
     WritePixelReceivers(*file++, receivers, pixels.image);
   if (request.values) WritePixelValues(*file++, pixels, request.options.method);

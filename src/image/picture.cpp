@@ -11,10 +11,11 @@
 #include <string>
 #include <utility>
 
-#include "base/scalar_channel.h"
+#include "image/contour_drawing.h"
 #include "image/exr_image.h"
 #include "image/image_legend.h"
 #include "image/isolux.h"
+#include "image/picture_scale.h"
 #include "image/png_image.h"
 #include "image/scalar_raster.h"
 #include "image/tone.h"
@@ -88,26 +89,24 @@ void DrawIsolux(Raster<Rgba8>& picture, const Raster<double>& values,
 
 void MakeFalseColours(const IrradianceImage& image, const PictureStyle& style,
                       Picture& picture) {
-  const ScalarChannel channel =
-      style.channel.value_or(ScalarChannel::kLuminance);
-  const Raster<double> values =
-      Scalars(image, image.values,
-              [&](const Rgb& value) { return ScalarOf(value, channel); });
-  const double largest = LargestOf(values);
-  const double top = style.white.value_or(largest > 0 ? largest : 1);
-  const ColourScale scale = ColourScale::Linear(top);
+  const PictureScale shown = PictureScaleOf(image, style);
   if (!style.white) {
     AddNote(picture,
             fmt::format("the scale ends at {} W/m^2, the largest value; "
                         "--white or --exposure sets it",
-                        ScientificText(top, 3)));
+                        ScientificText(shown.top, 3)));
   }
-  Raster<Rgba8> colours = Coloured(values, scale);
-  if (style.isolux) DrawIsolux(colours, values, scale);
-  const ImageLegend legend = {{fmt::format("E {}", Name(channel)), "[W/m^2]",
-                               fmt::format("max {:.4g}", largest)},
-                              scale,
-                              {}};
+  Raster<Rgba8> colours = Coloured(shown.values, shown.scale);
+  if (style.isolux && style.contours) {
+    DrawContours(colours, *style.contours, shown.scale);
+  } else if (style.isolux) {
+    DrawIsolux(colours, shown.values, shown.scale);
+  }
+  const ImageLegend legend = {
+      {fmt::format("E {}", Name(shown.channel)), "[W/m^2]",
+       fmt::format("max {:.4g}", shown.largest)},
+      shown.scale,
+      {}};
   picture.bytes = PngImage(WithLegend(colours, legend));
 }
 

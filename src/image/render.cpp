@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "image/picture_contours.h"
 #include "image/picture_view.h"
 #include "image/pixels_on_faces.h"
 #include "image/render_frame.h"
@@ -75,6 +76,17 @@ Rendering Render(const Oracle& oracle, const PictureSubject& subject,
                                  options.threads, nullptr, watch);
   rendering.receivers = AllOf(receivers);
   return rendering;
+}
+
+std::vector<PictureContour> PictureContoursOf(const Oracle& oracle,
+                                              const std::string& surface,
+                                              const IrradianceImage& image,
+                                              const PictureStyle& style,
+                                              int threads,
+                                              const ProgressHook& progress) {
+  CheckThreads(threads);
+  return FindPictureContours(oracle, surface, image, style, threads,
+                             {.stop = oracle.options().stop, .hook = progress});
 }
 
 }  // namespace truelux

@@ -147,24 +147,11 @@ class IsoluxFinder {
         ContourLinesOf(side.probe(), side.features(), side.search(),
                        result_.levels, wishes, options_.threads, watch_);
     for (const ContourLine& line : lines)
-      AddContour(side.plan(), line);
+      result_.contours.push_back(ContourOf(side.plan(), line, result_.levels));
     result_.search_evaluations += searched;
     result_.line_evaluations += side.probe().count() - searched;
     lines_.push_back(std::move(lines));
     AddAreas(side);
-  }
-
-  void AddContour(const PlanFrame& plan, const ContourLine& line) {
-    Contour& contour = result_.contours.emplace_back();
-    contour.level = result_.levels[line.level];
-    contour.face = plan.ReceiverAt({}).on_face;
-    contour.is_closed = line.is_closed;
-    contour.widths = line.widths;
-    for (const ContourPoint& point : line.points) {
-      contour.vertices.push_back({plan.PointAt(point.at),
-                                  plan.VectorOf(point.across), point.half_width,
-                                  point.is_certified, PlaceOf(point.on)});
-    }
   }
 
   void AddAreas(const SideSearch& side) {
@@ -204,6 +191,21 @@ class IsoluxFinder {
 };
 
 }  // namespace
+
+Contour ContourOf(const PlanFrame& plan, const ContourLine& line,
+                  std::span<const double> levels) {
+  Contour contour;
+  contour.level = levels[line.level];
+  contour.face = plan.ReceiverAt({}).on_face;
+  contour.is_closed = line.is_closed;
+  contour.widths = line.widths;
+  for (const ContourPoint& point : line.points) {
+    contour.vertices.push_back({plan.PointAt(point.at),
+                                plan.VectorOf(point.across), point.half_width,
+                                point.is_certified, PlaceOf(point.on)});
+  }
+  return contour;
+}
 
 SurfaceLines FindSurfaceLines(const Oracle& oracle, const std::string& surface,
                               const Watch& watch) {

@@ -4,12 +4,14 @@
 #ifndef TRUELUX_ISOLUX_ISOLUX_RUN_H_
 #define TRUELUX_ISOLUX_ISOLUX_RUN_H_
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "truelux/isolux.h"
 
 #include "isolux/contour_lines.h"
+#include "isolux/plan_frame.h"
 #include "isolux/prepared_surface.h"
 #include "run/watch.h"
 
@@ -21,6 +23,10 @@ SurfaceLines FindSurfaceLines(const Oracle& oracle, const std::string& surface,
                               const Watch& watch);
 Isolux FindIsolux(const Oracle& oracle, const std::string& surface,
                   const IsoluxOptions& options, const Watch& watch);
+
+/// A contour in the scene's frame.
+Contour ContourOf(const PlanFrame& plan, const ContourLine& line,
+                  std::span<const double> levels);
 
 /// A surface and its contours, for who goes on from there.
 struct TracedSurface {

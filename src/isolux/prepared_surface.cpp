@@ -16,12 +16,12 @@ namespace {
 /// Before anything is asked triangles are at most this share of the size.
 constexpr double kCoarse = 1.0 / 16;
 
+}  // namespace
+
 Rgb WeightsOf(const Scene& scene, std::optional<ScalarChannel> channel) {
   if (!channel && IsGrey(scene)) return {1, 0, 0};
   return SharesOf(channel.value_or(ScalarChannel::kLuminance));
 }
-
-}  // namespace
 
 ContourPlace PlaceOf(SideKind kind) {
   switch (kind) {

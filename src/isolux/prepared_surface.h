@@ -69,6 +69,10 @@ PreparedSurface PrepareSurface(const Oracle& oracle, const std::string& surface,
                                std::optional<ScalarChannel> channel,
                                int threads, const Watch& watch);
 
+/// The shares of the channels in what contours are of; nothing: luminance, or the
+/// one value of a scene whose channels are all alike.
+Rgb WeightsOf(const Scene& scene, std::optional<ScalarChannel> channel);
+
 /// Where a point on a side of a triangle lies, in words for users.
 ContourPlace PlaceOf(SideKind kind);
 

@@ -9,13 +9,6 @@
 
 namespace truelux {
 
-double LengthOf(const PaperPath& path) {
-  double length = 0;
-  for (std::size_t i = 1; i < path.size(); ++i)
-    length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
-  return length;
-}
-
 Paper::Paper(const Isolux& isolux, const LabelBox& room)
     : right_(isolux.right), up_(isolux.up) {
   area_ = {room.left, room.top, room.left, room.top};

@@ -4,26 +4,12 @@
 #ifndef TRUELUX_PLAN_PAPER_H_
 #define TRUELUX_PLAN_PAPER_H_
 
-#include <cstddef>
-#include <vector>
-
 #include "truelux/isolux.h"
 
 #include "draw/label_layout.h"
+#include "draw/paper_path.h"
 
 namespace truelux {
-
-/// A point of the picture [px], y downwards.
-struct PaperPoint {
-  double x = 0;
-  double y = 0;
-};
-
-/// A polyline; a closed one ends where it begins.
-using PaperPath = std::vector<PaperPoint>;
-
-/// [px]
-double LengthOf(const PaperPath& path);
 
 /// Puts points of the surface on paper, all lengths by one scale.
 class Paper {

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "draw/gap_label.h"
+#include "draw/label_places.h"
 #include "draw/svg.h"
-#include "plan/gap_label.h"
-#include "plan/label_places.h"
 #include "plan/level_style.h"
 #include "plan/paper.h"
 #include "plan/plan_legend.h"

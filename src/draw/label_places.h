@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where labels of lines go: into gaps of the lines, as on a map.
 
-#ifndef TRUELUX_PLAN_LABEL_PLACES_H_
-#define TRUELUX_PLAN_LABEL_PLACES_H_
+#ifndef TRUELUX_DRAW_LABEL_PLACES_H_
+#define TRUELUX_DRAW_LABEL_PLACES_H_
 
 #include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "draw/gap_label.h"
 #include "draw/label_layout.h"
-#include "plan/gap_label.h"
-#include "plan/paper.h"
+#include "draw/paper_path.h"
 
 namespace truelux {
 
@@ -41,4 +41,4 @@ std::vector<GapLabel> PlaceGapLabels(std::span<const LabelledLine> lines,
 
 }  // namespace truelux
 
-#endif  // TRUELUX_PLAN_LABEL_PLACES_H_
+#endif  // TRUELUX_DRAW_LABEL_PLACES_H_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plan/label_places.h"
+#include "draw/label_places.h"
 
 #include <algorithm>
 #include <array>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A label in the gap of a line, and the gap.
 
-#ifndef TRUELUX_PLAN_GAP_LABEL_H_
-#define TRUELUX_PLAN_GAP_LABEL_H_
+#ifndef TRUELUX_DRAW_GAP_LABEL_H_
+#define TRUELUX_DRAW_GAP_LABEL_H_
 
 #include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "plan/paper.h"
+#include "draw/paper_path.h"
 
 namespace truelux {
 
@@ -37,4 +37,4 @@ std::vector<PaperPath> OutsideLabels(const PaperPath& path,
 
 }  // namespace truelux
 
-#endif  // TRUELUX_PLAN_GAP_LABEL_H_
+#endif  // TRUELUX_DRAW_GAP_LABEL_H_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plan/gap_label.h"
+#include "draw/gap_label.h"
 
 #include <algorithm>
 #include <cmath>

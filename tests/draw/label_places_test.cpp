@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels in gaps: none on another, none on a line, one for each series.
 
-#include "plan/label_places.h"
+#include "draw/label_places.h"
 
 #include <cmath>
 #include <cstddef>

@@ -96,9 +96,18 @@ class MeshMaker {
 
   void AddLines(std::span<const ExactSurfaceLine> lines) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      segments_.push_back({PointOf(lines[i].from), PointOf(lines[i].to),
-                           lines[i].is_jump ? SideKind::kJump : SideKind::kKink,
-                           static_cast<int>(i)});
+      const auto line = static_cast<int>(i);
+      const Point from = PointOf(lines[i].from);
+      const Point to = PointOf(lines[i].to);
+      if (!lines[i].is_jump) {
+        segments_.push_back({from, to, SideKind::kKink, line});
+        continue;
+      }
+      // A jump that ends within the surface on both sides needs a point in
+      // between that has two sides: its ends are moved along it.
+      const Point middle = CGAL::midpoint(from, to);
+      segments_.push_back({from, middle, SideKind::kJump, line});
+      segments_.push_back({middle, to, SideKind::kJump, line});
     }
   }
 

@@ -206,6 +206,31 @@ TEST(FirstMesh, KeepsAwayFromWallsByItsMargin) {
   EXPECT_GE(beside, 8U);
 }
 
+TEST(FirstMesh, AWallWithoutKinksHasTwoSides) {
+  // No lamp, so that no kink divides the trace of the wall.
+  const LitFloor floor(
+      2, {{{{0.7, -1, 0}, {0.7, 1, 0}, {0.7, 1, 0.5}, {0.7, -1, 0.5}}, {}}});
+  ASSERT_EQ(floor.lines().lines.size(), 1U);
+  PlanMesh mesh = floor.first().mesh;
+  for (int i = 0; i < 2000; ++i)
+    mesh.Halve(i % static_cast<int>(mesh.triangles().size()), [](int, int) {});
+  int left = 0;
+  int right = 0;
+  for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
+    for (const int corner : mesh.triangles()[i].corners) {
+      const Point3 at =
+          floor.plan().PointAt(mesh.points()[static_cast<std::size_t>(corner)]);
+      if (std::fabs(at.x - 0.7) > 1e-6 || std::fabs(at.y) > 0.9) continue;
+      const double side =
+          floor.plan().PointAt(mesh.CentreOf(static_cast<int>(i))).x - 0.7;
+      EXPECT_GT((at.x - 0.7) * side, 0) << at.y;
+      ++(side < 0 ? left : right);
+    }
+  }
+  EXPECT_GT(left, 10);
+  EXPECT_GT(right, 10);
+}
+
 TEST(FirstMesh, OfFacesThatAreNoRectangle) {
   // An L with a hole's worth of notch, as one face.
   const Ring ring = {{0, 0, 0}, {4, 0, 0}, {4, 1, 0},

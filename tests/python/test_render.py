@@ -70,6 +70,8 @@ def test_files_are_those_of_the_program(tmp_path, room):
             (".png", {"exposure": 1.5}, ("--exposure", "1.5")),
             (".png", {"false_colour": True, "channel": "r", "white": 1},
              ("--false-colour", "--channel", "r", "--white", "1")),
+            (".png", {"false_colour": True, "white": 0.1},
+             ("--false-colour", "--white", "0.1")),
             (".png", {"false_colour": True, "isolux": False, "white": 1},
              ("--false-colour", "--no-isolux", "--white", "1"))):
         mine, theirs = tmp_path / f"mine{suffix}", tmp_path / f"its{suffix}"

@@ -93,14 +93,21 @@ py::dict Arrays(const Rendering& rendering) {
   return arrays;
 }
 
+/// What was rendered, with what false colours need for contours.
+struct RenderedScene {
+  Rendering rendering;
+  PreparedScene scene;
+  Choice choice;
+  std::optional<std::string> surface;  ///< that all pixels lie on
+};
+
 /// surface: a name; or nothing, and camera: eye, target, up, fov.
-Rendering RenderScene(const SharedScene& scene, const Choice& choice,
-                      const std::optional<std::string>& surface,
-                      const std::tuple<Triple, Triple, Triple, double>& camera,
-                      int width, int height,
-                      const std::optional<std::string>& on_face,
-                      const std::vector<std::string>& also, bool bound,
-                      const py::object& told) {
+RenderedScene RenderScene(
+    const SharedScene& scene, const Choice& choice,
+    const std::optional<std::string>& surface,
+    const std::tuple<Triple, Triple, Triple, double>& camera, int width,
+    int height, const std::optional<std::string>& on_face,
+    const std::vector<std::string>& also, bool bound, const py::object& told) {
   RenderOptions options;
   options.on_face = on_face;
   options.threads = choice.ThreadCount();
@@ -117,16 +124,18 @@ Rendering RenderScene(const SharedScene& scene, const Choice& choice,
     const auto& [eye, target, up, fov] = camera;
     subject = Camera{PointOf(eye), PointOf(target), {up[0], up[1], up[2]}, fov};
   }
-  return Checked([&] {
+  Rendering rendering = Checked([&] {
     const Interruptible interruptible;
     const Oracle oracle(scene.prepared, choice.Options(interruptible.flag()));
     return Render(oracle, subject, {width, height}, options);
   });
+  return {std::move(rendering), scene.prepared, choice,
+          on_face ? std::nullopt : surface};
 }
 
 /// The bytes of the picture's file, and notes.
 std::pair<py::bytes, py::list> PictureBytes(
-    const Rendering& rendering, bool is_exr,
+    const RenderedScene& rendered, bool is_exr,
     const std::vector<std::pair<std::string, std::string>>& texts,
     std::optional<double> white, bool false_colour, bool isolux,
     const std::optional<std::string>& channel) {
@@ -138,21 +147,31 @@ std::pair<py::bytes, py::list> PictureBytes(
   style.false_colour = false_colour;
   style.isolux = isolux;
   style.channel = ChannelOf(channel);
+  const IrradianceImage& image = rendered.rendering.pixels.image;
+  if (false_colour && isolux && rendered.surface) {
+    style.contours = Checked([&] {
+      const Interruptible interruptible;
+      const Oracle oracle(rendered.scene,
+                          rendered.choice.Options(interruptible.flag()));
+      return PictureContoursOf(oracle, *rendered.surface, image, style,
+                               rendered.choice.ThreadCount());
+    });
+  }
   Picture picture;
   {
     const py::gil_scoped_release unlocked;
-    picture = PictureOf(rendering.pixels.image, style);
+    picture = PictureOf(image, style);
   }
   return {py::bytes(picture.bytes), MessagesOf(picture.notes)};
 }
 
 /// which: a name of kExtraPictures.
-py::bytes ExtraBytes(const Rendering& rendering, const std::string& which,
+py::bytes ExtraBytes(const RenderedScene& rendered, const std::string& which,
                      const std::optional<std::string>& channel) {
   for (const ExtraPicture extra : kExtraPictures) {
     if (which == Name(extra)) {
       return py::bytes(
-          ExtraPictureOf(extra, rendering.pixels, ChannelOf(channel)));
+          ExtraPictureOf(extra, rendered.rendering.pixels, ChannelOf(channel)));
     }
   }
   throw std::logic_error("an extra picture without a name");
@@ -161,9 +180,10 @@ py::bytes ExtraBytes(const Rendering& rendering, const std::string& which,
 }  // namespace
 
 void BindRender(py::module_& module) {
-  py::class_<Rendering>(module, "Rendering")
-      .def("arrays", Arrays)
-      .def("notes", [](const Rendering& r) { return MessagesOf(r.notes); })
+  py::class_<RenderedScene>(module, "Rendering")
+      .def("arrays", [](const RenderedScene& r) { return Arrays(r.rendering); })
+      .def("notes",
+           [](const RenderedScene& r) { return MessagesOf(r.rendering.notes); })
       .def("picture", PictureBytes)
       .def("extra", ExtraBytes);
   module.def("render", RenderScene);

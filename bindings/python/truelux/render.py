@@ -88,7 +88,9 @@ class Picture:
         false_colour : bool
             One channel by the colours of a scale, with a legend.
         isolux : bool
-            Whether false colours have lines of equal irradiance.
+            Whether false colours have lines of equal irradiance: of a surface
+            certified contours with their levels, of a camera's picture the
+            pixels at which a level is passed.
         channel : {"luminance", "r", "g", "b"}, optional
             Of false colours; luminance unless it is given.
 

@@ -30,7 +30,8 @@ constexpr const char* kFilesHelp =
     "         across_z,certified,on,chord; chord is how far the contour is at\n"
     "         most from the chord that begins at the vertex\n"
     "  .json  all there is: levels, contours, lines, open triangles, areas\n"
-    "  .svg   a plan with a legend, the levels in gaps of the lines\n"
+    "  .svg   a plan with a legend, the levels in gaps of the lines, and the\n"
+    "         objects above the surface as they are seen from above\n"
     "  .dxf   for CAD, release 12: a layer a level, LEVEL_0_5 for 0.5, and\n"
     "         OUTLINE, JUMPS, KINKS, OPEN, in the scene's frame\n"
     "docs/isolux.md tells what is proven and how.\n";

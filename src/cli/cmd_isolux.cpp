@@ -22,6 +22,7 @@
 #include "plan/plan_dxf.h"
 #include "plan/plan_json.h"
 #include "plan/plan_notes.h"
+#include "plan/plan_objects.h"
 #include "plan/plan_subject.h"
 #include "plan/plan_svg.h"
 #include "plan/plan_tables.h"
@@ -31,6 +32,7 @@
 #include "run/user_error.h"
 #include "run/watch.h"
 #include "scene/emitters.h"
+#include "scene/group_selection.h"
 
 namespace truelux {
 namespace {
@@ -45,7 +47,8 @@ auto ByOptions(const F& f) {
   }
 }
 
-PlanSubject SubjectOf(const Scene& scene, const IsoluxRequest& request) {
+PlanSubject SubjectOf(const Scene& scene, const Isolux& isolux,
+                      const IsoluxRequest& request) {
   PlanSubject subject;
   subject.scene = std::filesystem::path(request.scene.path).filename().string();
   subject.surface = request.surface;
@@ -55,6 +58,8 @@ PlanSubject SubjectOf(const Scene& scene, const IsoluxRequest& request) {
           : Name(request.wishes.channel.value_or(ScalarChannel::kLuminance));
   subject.options = request.options;
   subject.vertex_numbers = VertexNumbers(scene);
+  subject.objects =
+      PlanObjectsOf(scene, GroupsNamed(scene, request.surface), isolux);
   return subject;
 }
 
@@ -149,7 +154,7 @@ ExitStatus RunIsolux(const IsoluxArguments& arguments) {
         ExtremaCsv(ByOptions([&] { return FindExtrema(oracle, request); }));
   }
 
-  const PlanSubject subject = SubjectOf(oracle.scene(), request);
+  const PlanSubject subject = SubjectOf(oracle.scene(), isolux, request);
   for (std::size_t i = 0; i < request.formats.size(); ++i) {
     StopIfInterrupted();
     files[i].Write(FileText(request.formats[i], mesh, subject));

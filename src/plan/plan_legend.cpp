@@ -70,10 +70,12 @@ std::string VectorText(const Vector3& v) {
 
 class LegendWriter {
  public:
-  LegendWriter(const Isolux& isolux, const PlanSubject& subject, double left,
-               double top, double scale)
+  LegendWriter(const Isolux& isolux, const PlanSubject& subject,
+               const ObjectDrawing& objects, double left, double top,
+               double scale)
       : isolux_(isolux),
         subject_(subject),
+        objects_(objects),
         left_(left),
         y_(top),
         scale_(scale) {}
@@ -119,6 +121,18 @@ class LegendWriter {
     text_ += fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}\" {}/>\n", left_,
                          y_ - 0.35 * kFont, kSwatch, style);
     AddLines(Wrapped(text, kLegendWidth - kTextLeft), left_ + kTextLeft);
+  }
+
+  /// The same with a mark that has an inside.
+  void AddArea(const char* style, const std::string& text) {
+    y_ += kRow;
+    text_ += AreaMark(style);
+    AddLines(Wrapped(text, kLegendWidth - kTextLeft), left_ + kTextLeft);
+  }
+
+  [[nodiscard]] std::string AreaMark(const char* style) const {
+    return fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}v9h{:.1f}z\" {}/>\n",
+                       left_, y_ - 9, kSwatch, -kSwatch, style);
   }
 
   void AddLevels() {
@@ -174,8 +188,7 @@ class LegendWriter {
       AddMark(kKinkStyle, "the gradient of irradiance jumps");
     if (!isolux_.open.empty()) {
       y_ += kRow;
-      text_ += fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}v9h{:.1f}z\" {}/>\n",
-                           left_, y_ - 9, kSwatch, -kSwatch, kOpenStyle);
+      text_ += AreaMark(kOpenStyle);
       text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" {}/>\n",
                            left_ + 0.5 * kSwatch, y_ - 4.5, kRingStyle);
       AddLines(Wrapped(fmt::format("open: {} triangles, {} of the surface; "
@@ -185,6 +198,9 @@ class LegendWriter {
                        kLegendWidth - kTextLeft),
                left_ + kTextLeft);
     }
+    if (objects_.has_objects)
+      AddArea(kObjectStyle, "objects above, from above");
+    if (objects_.has_lamps) AddArea(kLampStyle, "lamps");
     y_ += 4;
   }
 
@@ -213,6 +229,7 @@ class LegendWriter {
 
   const Isolux& isolux_;
   const PlanSubject& subject_;
+  const ObjectDrawing& objects_;
   double left_;
   double y_;
   double scale_;
@@ -242,8 +259,9 @@ std::string Fitted(const std::string& text, int font, double width) {
 }
 
 LegendDrawing PlanLegend(const Isolux& isolux, const PlanSubject& subject,
-                         double left, double top, double scale) {
-  return LegendWriter(isolux, subject, left, top, scale).Write();
+                         const ObjectDrawing& objects, double left, double top,
+                         double scale) {
+  return LegendWriter(isolux, subject, objects, left, top, scale).Write();
 }
 
 }  // namespace truelux

@@ -9,6 +9,7 @@
 
 #include "truelux/isolux.h"
 
+#include "plan/object_drawing.h"
 #include "plan/plan_subject.h"
 
 namespace truelux {
@@ -45,10 +46,12 @@ inline constexpr double kLegendWidth = 250;
 [[nodiscard]] std::string Fitted(const std::string& text, int font,
                                  double width);
 
-/// left, top: of the legend [px]; scale: pixels a unit of length.
+/// objects: as they are drawn; left, top: of the legend [px]; scale: pixels a
+/// unit of length.
 [[nodiscard]] LegendDrawing PlanLegend(const Isolux& isolux,
-                                       const PlanSubject& subject, double left,
-                                       double top, double scale);
+                                       const PlanSubject& subject,
+                                       const ObjectDrawing& objects,
+                                       double left, double top, double scale);
 
 }  // namespace truelux
 

@@ -9,6 +9,8 @@
 
 #include "truelux/irradiance.h"
 
+#include "plan/plan_objects.h"
+
 namespace truelux {
 
 /// The words that go with an Isolux.
@@ -20,6 +22,8 @@ struct PlanSubject {
   OracleOptions options;
   /// By index into Scene::vertices(): how the scene's file counts them.
   std::vector<int> vertex_numbers;
+  /// What is above the surface, for plans that show it.
+  std::vector<PlanObject> objects;
 };
 
 }  // namespace truelux

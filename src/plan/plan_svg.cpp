@@ -15,6 +15,7 @@
 #include "draw/label_places.h"
 #include "draw/svg.h"
 #include "plan/level_style.h"
+#include "plan/object_drawing.h"
 #include "plan/paper.h"
 #include "plan/plan_legend.h"
 #include "plan/plan_notes.h"
@@ -101,7 +102,8 @@ class PlanDrawing {
 
   std::string Draw() {
     PlaceLabels();
-    std::string body;
+    const ObjectDrawing objects = DrawObjects(subject_.objects, paper_);
+    std::string body = objects.elements;
     AddLines(body, SurfaceLineKind::kKink, "kinks", kKinkStyle);
     AddOutline(body);
     AddLines(body, SurfaceLineKind::kJump, "jumps", kJumpStyle);
@@ -110,8 +112,8 @@ class PlanDrawing {
     AddLabels(body);
     const LabelBox& area = paper_.area();
     const LegendDrawing legend =
-        PlanLegend(isolux_, subject_, area.right + kSpace, area.top - kMargin,
-                   paper_.scale());
+        PlanLegend(isolux_, subject_, objects, area.right + kSpace,
+                   area.top - kMargin, paper_.scale());
     const double width = area.right + kSpace + kLegendWidth + kMargin;
     const double height = std::max(area.bottom, legend.bottom) + kMargin;
     std::string text = fmt::format(

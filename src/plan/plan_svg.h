@@ -14,7 +14,8 @@ namespace truelux {
 
 /// The surface as its lit side is seen, with contours by the colours of their
 /// levels, which stand in gaps of the lines, lines at which light jumps, what is
-/// open, and a legend. In a browser, lines tell under the pointer what they are.
+/// open, under these the objects above the surface, and a legend. In a browser,
+/// lines and objects tell under the pointer what they are.
 [[nodiscard]] std::string PlanSvg(const Isolux& isolux,
                                   const PlanSubject& subject);
 

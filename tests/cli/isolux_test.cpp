@@ -153,6 +153,11 @@ TEST_F(IsoluxCommandLine, AllFilesAtOnceWhateverTheThreads) {
   EXPECT_EQ(RowsOf(texts[0][0]).size(), vertices + 1);
   EXPECT_EQ(truelux::testing::MarkupDefect(texts[0][2]), "");
   EXPECT_EQ(texts[0][2], texts[0][4]);
+  for (const char* name : {"lamp", "box", "floor"}) {
+    EXPECT_EQ(Contains(texts[0][2], "<title>" + std::string(name) + "</title>"),
+              name != std::string("floor"))
+        << name;
+  }
   EXPECT_EQ(truelux::testing::CountOf(texts[0][3], "\nVERTEX\n"), vertices);
   EXPECT_TRUE(texts[0][3].ends_with("\n0\nEOF\n"));
   const std::size_t corners =

@@ -96,7 +96,8 @@ inline PlanSubject MadeSubject() {
           .surface = "floor",
           .channel = "luminance",
           .options = {},
-          .vertex_numbers = {11, 12, 13}};
+          .vertex_numbers = {11, 12, 13},
+          .objects = {}};
 }
 
 }  // namespace truelux::testing

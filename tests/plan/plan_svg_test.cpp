@@ -172,6 +172,29 @@ TEST(PlanSvg, WallsAroundTheSurfaceAreItsEdge) {
   EXPECT_NE(svg.find("M804.00 76.00L24.00 76.00"), svg.npos);
 }
 
+TEST(PlanSvg, ObjectsLieUnderTheLinesAndAreInTheLegend) {
+  PlanSubject subject = MadeSubject();
+  const std::string without = PlanSvg(MadeIsolux(), subject);
+  EXPECT_EQ(CountOf(without, "id=\"objects\""), 0U);
+  EXPECT_FALSE(HasText(without, "objects above, from above"));
+  EXPECT_FALSE(HasText(without, "lamps"));
+  subject.objects = {
+      {"desk", false, {{{1, 1, 2}, {2, 1, 2}, {2, 2, 2}, {1, 2, 2}}}}};
+  const std::string desk = PlanSvg(MadeIsolux(), subject);
+  EXPECT_TRUE(HasText(desk, "objects above, from above"));
+  EXPECT_FALSE(HasText(desk, "lamps"));
+  subject.objects.push_back(
+      {"bulb", true, {{{3, 3, 9}, {4, 3, 9}, {4, 4, 9}}}});
+  const std::string both = PlanSvg(MadeIsolux(), subject);
+  EXPECT_EQ(MarkupDefect(both), "");
+  ExpectAllInside(both);
+  EXPECT_TRUE(HasText(both, "objects above, from above"));
+  EXPECT_TRUE(HasText(both, "lamps"));
+  EXPECT_EQ(CountOf(both, "id=\"objects\""), 1U);
+  for (const char* id : {"kinks", "outline", "jumps", "open", "contours"})
+    EXPECT_LT(both.find("<title>bulb<"), both.find(id)) << id;
+}
+
 TEST(PlanSvg, OddSurfacesAndNamesFit) {
   PlanSubject subject = MadeSubject();
   subject.channel = "r";

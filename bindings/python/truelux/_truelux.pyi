@@ -91,9 +91,10 @@ EXTREMUM_KINDS: list[str]
 
 def surface_lines(scene: Scene, choice: Choice, surface: bytes) -> dict: ...
 def isolux(scene: Scene, choice: Choice, surface: bytes,
-           levels: Sequence[float], count: int, channel: Optional[str],
-           lengths: Sequence[float], most_triangles: int, threads: int,
-           told: Optional[Callable[[int, int, str], None]]) -> dict: ...
+           arguments: tuple[Sequence[float], int, Optional[str],
+                            Sequence[float], int],
+           threads: int, told: Optional[Callable[[int, int, str], None]]
+           ) -> dict: ...
 def extrema(scene: Scene, choice: Choice, surface: bytes,
             channel: Optional[str], threads: int,
             told: Optional[Callable[[int, int, str], None]]) -> dict: ...

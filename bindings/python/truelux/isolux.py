@@ -281,7 +281,7 @@ class SurfaceAnswers:
         chord : float, optional
             How far a contour may be from its chords [length]; 1e-3 of the size.
         smallest : float, optional
-            Triangles that are searched get no smaller [length]; 2^-16 of the
+            Triangles that are searched get no smaller [length]; 2^-18 of the
             size. What is not settled then is in `Isolux.open`.
         most_triangles : int, optional
             Nor more than so many; 4 million.

@@ -99,6 +99,14 @@ def extrema(scene: Scene, choice: Choice, surface: bytes,
             channel: Optional[str], threads: int,
             told: Optional[Callable[[int, int, str], None]]) -> dict: ...
 
+MESH_SIDES: list[str]
+
+def iso_mesh(scene: Scene, choice: Choice, surface: bytes,
+             arguments: tuple[Sequence[float], int, Optional[str],
+                              Sequence[float], int],
+             numbers: Sequence[float], most_vertices: int, threads: int,
+             told: Optional[Callable[[int, int, str], None]]) -> dict: ...
+
 def read_exr(path: bytes) -> tuple[dict[str, np.ndarray], tuple[int, int]]: ...
 def exr_bytes(values: np.ndarray, covered: np.ndarray,
               texts: Sequence[tuple[str, str]]) -> bytes: ...

@@ -99,12 +99,11 @@ def room(*others, emission=(1, 1, 1), **words):
         **words)
 
 
-def interrupt(call):
+def interrupt(call, scene="truelux.Scene.read(sys.argv[1])"):
     """Ctrl-C ends a call, of `oracle`, and the oracle goes on."""
     script = textwrap.dedent(f"""
         import os, signal, sys, threading, time, truelux
-        scene = truelux.Scene.read(sys.argv[1])
-        oracle = truelux.Oracle(scene)
+        oracle = truelux.Oracle({scene})
         threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
         try:
             while True:

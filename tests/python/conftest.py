@@ -4,6 +4,8 @@ folder of examples/scenes."""
 
 import os
 import subprocess
+import sys
+import textwrap
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +17,8 @@ EXAMPLES = Path(os.environ["TRUELUX_EXAMPLES"]) / "scenes"
 
 LAMP = [[-0.5, -0.5, 1], [-0.5, 0.5, 1], [0.5, 0.5, 1], [0.5, -0.5, 1]]
 PLATE = [[0, -0.2, 0.5], [0.4, -0.2, 0.6], [0.3, 0.3, 0.4]]
+FLOOR = [[-2, -2, 0], [2, -2, 0], [2, 2, 0], [-2, 2, 0]]
+WALL = [[-1, 1, 0], [1, 1, 0], [1, 1, 0.5], [-1, 1, 0.5]]
 
 
 @pytest.fixture
@@ -81,3 +85,35 @@ def columns_of(text, *names):
     header, *rows = [line.split(",") for line in text.splitlines()]
     at = [header.index(name) for name in names]
     return np.array([[float(row[i] or "nan") for i in at] for row in rows])
+
+
+def room(*others, emission=(1, 1, 1), **words):
+    """A lamp over a floor, face 1, and whatever else there is."""
+    rings = [FLOOR, LAMP, *others]
+    faces = np.arange(4 * len(rings)).reshape(-1, 4)
+    ke = np.zeros((len(rings), 3))
+    ke[1] = emission
+    return truelux.Oracle(
+        truelux.Scene([v for ring in rings for v in ring], faces, ke,
+                      groups=["floor", "lamp"] + ["other"] * len(others)),
+        **words)
+
+
+def interrupt(call, scene="truelux.Scene.read(sys.argv[1])"):
+    """Ctrl-C ends a call, of `oracle`, and the oracle goes on."""
+    script = textwrap.dedent(f"""
+        import os, signal, sys, threading, time, truelux
+        oracle = truelux.Oracle({scene})
+        threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+        try:
+            while True:
+                {call}
+        except KeyboardInterrupt:
+            print("interrupted", flush=True)
+        print(oracle.irradiance([0, 0, 0], [0, 0, 1]).shape)
+        """)
+    done = subprocess.run(
+        [sys.executable, "-c", script, str(EXAMPLES / "figure7_b.obj")],
+        capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stdout) == (0, "interrupted\n(3,)\n"), \
+        done.stderr

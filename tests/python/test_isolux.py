@@ -1,33 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Lines of light on surfaces from Python: jumps, kinks, contours, extrema."""
 
-import subprocess
-import sys
-import textwrap
-
 import numpy as np
 import pytest
 
 import truelux
-from conftest import EXAMPLES, LAMP, UP
+from conftest import FLOOR, LAMP, UP, WALL, interrupt, room
 
-FLOOR = [[-2, -2, 0], [2, -2, 0], [2, 2, 0], [-2, 2, 0]]
-WALL = [[-1, 1, 0], [1, 1, 0], [1, 1, 0.5], [-1, 1, 0.5]]
 BOARD = [[0, -0.125, 0.5], [0.375, -0.125, 0.5], [0.375, 0.25, 0.5],
          [0, 0.25, 0.5]]
 WEIGHTS = np.array([0.2126, 0.7152, 0.0722])
-
-
-def room(*others, emission=(1, 1, 1), **words):
-    """A lamp over a floor, face 1, and whatever else there is."""
-    rings = [FLOOR, LAMP, *others]
-    faces = np.arange(4 * len(rings)).reshape(-1, 4)
-    ke = np.zeros((len(rings), 3))
-    ke[1] = emission
-    return truelux.Oracle(
-        truelux.Scene([v for ring in rings for v in ring], faces, ke,
-                      groups=["floor", "lamp"] + ["other"] * len(others)),
-        **words)
 
 
 def ends_of(oracle, contour, weights=(1, 0, 0)):
@@ -292,20 +274,4 @@ def test_surfaces_that_are_none():
     "oracle.extrema('floor')",
 ])
 def test_ctrl_c_ends_a_call_and_the_oracle_goes_on(call):
-    script = textwrap.dedent(f"""
-        import os, signal, sys, threading, time, truelux
-        scene = truelux.Scene.read(sys.argv[1])
-        oracle = truelux.Oracle(scene)
-        threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
-        try:
-            while True:
-                {call}
-        except KeyboardInterrupt:
-            print("interrupted", flush=True)
-        print(oracle.irradiance([0, 0, 0], [0, 0, 1]).shape)
-        """)
-    done = subprocess.run(
-        [sys.executable, "-c", script, str(EXAMPLES / "figure7_b.obj")],
-        capture_output=True, text=True, timeout=60)
-    assert (done.returncode, done.stdout) == (0, "interrupted\n(3,)\n"), \
-        done.stderr
+    interrupt(call)

@@ -38,6 +38,9 @@ void BindRender(pybind11::module_& module);
 /// Lines of light on surfaces, contours and extrema.
 void BindIsolux(pybind11::module_& module);
 
+/// Meshes whose edges follow the light.
+void BindIsoMesh(pybind11::module_& module);
+
 /// Images of OpenEXR.
 void BindExr(pybind11::module_& module);
 

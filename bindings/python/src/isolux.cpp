@@ -2,86 +2,22 @@
 #include "truelux/isolux.h"
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "bindings.h"
 #include "errors.h"
-#include "interruptible.h"
+#include "isolux_arrays.h"
 #include "oracle_options.h"
 #include "progress.h"
+#include "rows.h"
 
 namespace py = pybind11;
 
 namespace truelux::python {
 namespace {
-
-/// Numbers that become an array, row by row.
-class NumberRows {
- public:
-  void Add(double x) { numbers_.push_back(x); }
-
-  void Add(const Rgb& rgb) {
-    numbers_.insert(numbers_.end(), rgb.begin(), rgb.end());
-  }
-
-  void Add(const Point3& p) { Add(Rgb{p.x, p.y, p.z}); }
-
-  void Add(const Vector3& v) { Add(Rgb{v.x, v.y, v.z}); }
-
-  template <std::size_t kCount>
-  void Add(const std::array<Point3, kCount>& points) {
-    for (const Point3& p : points)
-      Add(p);
-  }
-
-  /// Of the shape (n, ...row).
-  [[nodiscard]] py::array_t<double> Array(
-      std::initializer_list<py::ssize_t> row = {}) const {
-    py::ssize_t width = 1;
-    for (const py::ssize_t size : row)
-      width *= size;
-    std::vector<py::ssize_t> shape = {
-        static_cast<py::ssize_t>(numbers_.size()) / width};
-    shape.insert(shape.end(), row);
-    return py::array_t<double>(shape, numbers_.data());
-  }
-
- private:
-  std::vector<double> numbers_;
-};
-
-/// Of enumerators: indices into their names.
-class Codes {
- public:
-  template <class T>
-  void Add(T value) {
-    codes_.push_back(static_cast<std::uint8_t>(value));
-  }
-
-  [[nodiscard]] py::array_t<std::uint8_t> Array() const {
-    return py::array_t<std::uint8_t>(static_cast<py::ssize_t>(codes_.size()),
-                                     codes_.data());
-  }
-
- private:
-  std::vector<std::uint8_t> codes_;
-};
-
-template <class T>
-py::list NamesOf(std::initializer_list<T> values) {
-  py::list names;
-  for (const T value : values)
-    names.append(std::string(Name(value)));
-  return names;
-}
 
 py::dict DictOf(const SurfaceLines& lines) {
   Codes kind;
@@ -145,42 +81,6 @@ py::dict DictOf(const truelux::Contour& contour) {
   return all;
 }
 
-py::dict DictOf(const Isolux& isolux) {
-  NumberRows levels;
-  for (const double level : isolux.levels)
-    levels.Add(level);
-  py::list contours;
-  for (const truelux::Contour& contour : isolux.contours)
-    contours.append(DictOf(contour));
-  NumberRows outline;
-  for (const std::array<Point3, 2>& side : isolux.outline)
-    outline.Add(side);
-  NumberRows open;
-  NumberRows open_range;
-  for (const OpenTriangle& triangle : isolux.open) {
-    open.Add(triangle.corners);
-    open_range.Add(triangle.least);
-    open_range.Add(triangle.most);
-  }
-  py::dict all;
-  all["levels"] = levels.Array();
-  all["contours"] = contours;
-  all["lines"] = DictOf(isolux.lines);
-  all["outline"] = outline.Array({2, 3});
-  all["open"] = open.Array({3, 3});
-  all["open_range"] = open_range.Array({2});
-  all["size"] = isolux.size;
-  all["area"] = isolux.area;
-  all["open_area"] = isolux.open_area;
-  all["dark_area"] = isolux.dark_area;
-  all["least"] = isolux.least;
-  all["most"] = isolux.most;
-  all["search_evaluations"] = isolux.search_evaluations;
-  all["line_evaluations"] = isolux.line_evaluations;
-  all["triangles"] = isolux.triangles;
-  return all;
-}
-
 py::dict DictOf(const SurfaceExtrema& extrema) {
   Codes kind;
   NumberRows at;
@@ -224,15 +124,6 @@ py::dict DictOf(const SurfaceExtrema& extrema) {
   return all;
 }
 
-/// find(oracle) without the interpreter's lock.
-template <class F>
-auto Found(const SharedScene& scene, const Choice& choice, const F& find) {
-  return Checked([&] {
-    const Interruptible interruptible;
-    return find(Oracle(scene.prepared, choice.Options(interruptible.flag())));
-  });
-}
-
 py::dict SurfaceLineArrays(const SharedScene& scene, const Choice& choice,
                            const std::string& surface) {
   return DictOf(Found(scene, choice, [&](const Oracle& oracle) {
@@ -240,29 +131,18 @@ py::dict SurfaceLineArrays(const SharedScene& scene, const Choice& choice,
   }));
 }
 
-/// threads: 0: as many as `choice` has. lengths: half_width, chord, smallest.
 py::dict IsoluxArrays(const SharedScene& scene, const Choice& choice,
-                      const std::string& surface, std::vector<double> levels,
-                      int count, const std::optional<std::string>& channel,
-                      const std::array<double, 3>& lengths,
-                      std::size_t most_triangles, int threads,
+                      const std::string& surface,
+                      const ContourArguments& arguments, int threads,
                       const py::object& told) {
-  IsoluxOptions options;
-  options.levels = std::move(levels);
-  options.count = count;
-  options.channel = ChannelOf(channel);
-  options.half_width = lengths[0];
-  options.chord = lengths[1];
-  options.smallest = lengths[2];
-  options.most_triangles = most_triangles;
-  options.threads = threads > 0 ? threads : choice.ThreadCount();
-  options.progress = HookOf(told);
-  return DictOf(Found(scene, choice, [&](const Oracle& oracle) {
+  const IsoluxOptions options =
+      ContourOptionsOf(choice, arguments, threads, told);
+  return IsoluxDictOf(Found(scene, choice, [&](const Oracle& oracle) {
     return IsoluxOf(oracle, surface, options);
   }));
 }
 
-/// threads: as of IsoluxArrays.
+/// threads: as of ContourOptionsOf.
 py::dict ExtremaArrays(const SharedScene& scene, const Choice& choice,
                        const std::string& surface,
                        const std::optional<std::string>& channel, int threads,
@@ -277,6 +157,59 @@ py::dict ExtremaArrays(const SharedScene& scene, const Choice& choice,
 }
 
 }  // namespace
+
+IsoluxOptions ContourOptionsOf(const Choice& choice,
+                               const ContourArguments& arguments, int threads,
+                               const py::object& told) {
+  const auto& [levels, count, channel, lengths, most_triangles] = arguments;
+  IsoluxOptions options;
+  options.levels = levels;
+  options.count = count;
+  options.channel = ChannelOf(channel);
+  options.half_width = lengths[0];
+  options.chord = lengths[1];
+  options.smallest = lengths[2];
+  options.most_triangles = most_triangles;
+  options.threads = threads > 0 ? threads : choice.ThreadCount();
+  options.progress = HookOf(told);
+  return options;
+}
+
+py::dict IsoluxDictOf(const Isolux& isolux) {
+  NumberRows levels;
+  for (const double level : isolux.levels)
+    levels.Add(level);
+  py::list contours;
+  for (const truelux::Contour& contour : isolux.contours)
+    contours.append(DictOf(contour));
+  NumberRows outline;
+  for (const std::array<Point3, 2>& side : isolux.outline)
+    outline.Add(side);
+  NumberRows open;
+  NumberRows open_range;
+  for (const OpenTriangle& triangle : isolux.open) {
+    open.Add(triangle.corners);
+    open_range.Add(triangle.least);
+    open_range.Add(triangle.most);
+  }
+  py::dict all;
+  all["levels"] = levels.Array();
+  all["contours"] = contours;
+  all["lines"] = DictOf(isolux.lines);
+  all["outline"] = outline.Array({2, 3});
+  all["open"] = open.Array({3, 3});
+  all["open_range"] = open_range.Array({2});
+  all["size"] = isolux.size;
+  all["area"] = isolux.area;
+  all["open_area"] = isolux.open_area;
+  all["dark_area"] = isolux.dark_area;
+  all["least"] = isolux.least;
+  all["most"] = isolux.most;
+  all["search_evaluations"] = isolux.search_evaluations;
+  all["line_evaluations"] = isolux.line_evaluations;
+  all["triangles"] = isolux.triangles;
+  return all;
+}
 
 void BindIsolux(py::module_& module) {
   module.def("surface_lines", SurfaceLineArrays);

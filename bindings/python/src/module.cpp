@@ -13,5 +13,6 @@ PYBIND11_MODULE(_truelux, module) {
   truelux::python::BindComparison(module);
   truelux::python::BindRender(module);
   truelux::python::BindIsolux(module);
+  truelux::python::BindIsoMesh(module);
   truelux::python::BindExr(module);
 }

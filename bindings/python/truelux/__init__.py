@@ -17,6 +17,7 @@ from .comparison import Comparison, compare
 from .derivatives import Derivatives, VertexGradient
 from .isolux import (Isolux, IsoluxContour, SurfaceExtrema, SurfaceLines,
                      UndecidedRegion)
+from .isomesh import InterpolationError, IsoMesh
 from .oracle import Contour, FormFactors, Oracle, irradiance_from_sphere
 from .render import SHADOW_CLASSES, Camera, Picture, render
 from .scene import Scene
@@ -31,6 +32,8 @@ __all__ = [
     "Derivatives",
     "Error",
     "FormFactors",
+    "InterpolationError",
+    "IsoMesh",
     "Isolux",
     "IsoluxContour",
     "Note",

@@ -91,12 +91,21 @@ EXTREMUM_KINDS: list[str]
 
 def surface_lines(scene: Scene, choice: Choice, surface: bytes) -> dict: ...
 def isolux(scene: Scene, choice: Choice, surface: bytes,
-           levels: Sequence[float], count: int, channel: Optional[str],
-           lengths: Sequence[float], most_triangles: int, threads: int,
-           told: Optional[Callable[[int, int, str], None]]) -> dict: ...
+           arguments: tuple[Sequence[float], int, Optional[str],
+                            Sequence[float], int],
+           threads: int, told: Optional[Callable[[int, int, str], None]]
+           ) -> dict: ...
 def extrema(scene: Scene, choice: Choice, surface: bytes,
             channel: Optional[str], threads: int,
             told: Optional[Callable[[int, int, str], None]]) -> dict: ...
+
+MESH_SIDES: list[str]
+
+def iso_mesh(scene: Scene, choice: Choice, surface: bytes,
+             arguments: tuple[Sequence[float], int, Optional[str],
+                              Sequence[float], int],
+             numbers: Sequence[float], most_vertices: int, threads: int,
+             told: Optional[Callable[[int, int, str], None]]) -> dict: ...
 
 def read_exr(path: bytes) -> tuple[dict[str, np.ndarray], tuple[int, int]]: ...
 def exr_bytes(values: np.ndarray, covered: np.ndarray,

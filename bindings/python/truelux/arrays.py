@@ -50,6 +50,22 @@ def real(value, name: str) -> float:
         raise error(f"{name}: expected a number, found {value!r}") from None
 
 
+def positive(value, name: str, what: str = "length") -> float:
+    """A finite number above 0; what: what it is called where it is none."""
+    number = real(value, name)
+    if not 0 < number < float("inf"):
+        raise error(f"{name}: expected a finite {what} above 0")
+    return number
+
+
+def whole(value, name: str, end: int) -> int:
+    """A whole number from 1, below end."""
+    if not isinstance(value, (int, np.integer)) or isinstance(value, bool) \
+            or not 1 <= value < end:
+        raise error(f"{name}: expected a whole number from 1")
+    return int(value)
+
+
 def word(value, name: str) -> bytes:
     """A text, as the bytes that the library takes."""
     if not isinstance(value, str):

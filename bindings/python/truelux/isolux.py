@@ -9,8 +9,8 @@ from typing import NamedTuple, Optional
 import numpy as np
 
 from . import _truelux
-from .arrays import (check_channel, error, numbers, real, thread_count, warn,
-                     word)
+from .arrays import (check_channel, error, numbers, positive, thread_count,
+                     warn, whole, word)
 from .progress import Bar
 
 _KINDS = np.array(_truelux.SURFACE_LINE_KINDS)
@@ -281,7 +281,7 @@ class SurfaceAnswers:
         chord : float, optional
             How far a contour may be from its chords [length]; 1e-3 of the size.
         smallest : float, optional
-            Triangles that are searched get no smaller [length]; 2^-16 of the
+            Triangles that are searched get no smaller [length]; 2^-18 of the
             size. What is not settled then is in `Isolux.open`.
         most_triangles : int, optional
             Nor more than so many; 4 million.
@@ -313,19 +313,11 @@ class SurfaceAnswers:
         Each vertex is proven: `IsoluxContour.certified`; that there are no other
         contours is proven outside `Isolux.open`.
         """
-        given = _levels(levels)
-        _whole(count, "count", 2**31)
-        check_channel(channel)
-        lengths = [0.0 if length is None else _length(length, name)
-                   for length, name in ((half_width, "half_width"),
-                                        (chord, "chord"),
-                                        (smallest, "smallest"))]
-        if most_triangles is not None:
-            _whole(most_triangles, "most_triangles", 2**63)
+        arguments = contour_arguments(levels, count, channel, half_width, chord,
+                                      smallest, most_triangles)
         with Bar(progress) as bar:
             isolux = Isolux(_truelux.isolux(
-                self._shared, self._choice, word(surface, "surface"), given,
-                int(count), channel, lengths, int(most_triangles or 0),
+                self._shared, self._choice, word(surface, "surface"), arguments,
                 thread_count(threads), bar.told))
         warn(isolux.lines.notes)
         return isolux
@@ -362,6 +354,20 @@ class SurfaceAnswers:
         return extrema
 
 
+def contour_arguments(levels, count, channel, half_width, chord, smallest,
+                      most_triangles) -> tuple:
+    """Those of `SurfaceAnswers.isolux`, checked, as the library takes them."""
+    given = _levels(levels)
+    count = whole(count, "count", 2**31)
+    check_channel(channel)
+    lengths = [0.0 if length is None else positive(length, name)
+               for length, name in ((half_width, "half_width"),
+                                    (chord, "chord"), (smallest, "smallest"))]
+    return (given, count, channel, lengths,
+            0 if most_triangles is None
+            else whole(most_triangles, "most_triangles", 2**63))
+
+
 def _counted(words: np.ndarray, nothing: str) -> str:
     """How many of each."""
     names, counts = np.unique(words, return_counts=True)
@@ -377,16 +383,3 @@ def _levels(levels) -> list:
         raise error(f"levels: expected the shape (l,), l from 1, found "
                     f"{array.shape}; count= chooses levels")
     return array.tolist()
-
-
-def _whole(value, name: str, end: int) -> None:
-    if not isinstance(value, (int, np.integer)) or isinstance(value, bool) \
-            or not 1 <= value < end:
-        raise error(f"{name}: expected a whole number from 1")
-
-
-def _length(value, name: str) -> float:
-    length = real(value, name)
-    if not 0 < length < float("inf"):
-        raise error(f"{name}: expected a finite length above 0")
-    return length

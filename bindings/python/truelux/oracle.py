@@ -12,6 +12,7 @@ from .arrays import (broadcast, error, faces, numbers, receivers,
                      real, thread_count, triples, warn, word)
 from .derivatives import Derivatives, VertexGradient
 from .isolux import SurfaceAnswers
+from .isomesh import MeshAnswers
 from .progress import in_parts
 from .scene import Scene
 
@@ -38,7 +39,7 @@ class Contour(NamedTuple):
     numbers; 0: the horizon), plane_normal (3), to the visible side."""
 
 
-class Oracle(SurfaceAnswers):
+class Oracle(SurfaceAnswers, MeshAnswers):
     """Answers for one scene; every number is certified by default.
 
     Parameters

@@ -136,7 +136,7 @@ class Measurer {
   [[nodiscard]] Distances OfContours() const {
     std::vector<double> all;
     std::size_t seen = 0;
-    for (const Contour& contour : isolux_.contours) {
+    for (const IsoluxContour& contour : isolux_.contours) {
       for (std::size_t i = 0; i < contour.widths.size(); ++i) {
         if (seen++ % stride_ != 0) continue;
         const Point3& a = contour.vertices[i].at;
@@ -239,7 +239,7 @@ void Measure(const Floor& floor) {
   std::size_t certified = 0;
   std::size_t chords = 0;
   std::size_t unknown = 0;
-  for (const Contour& contour : isolux.contours) {
+  for (const IsoluxContour& contour : isolux.contours) {
     vertices += contour.vertices.size();
     chords += contour.widths.size();
     for (const IsoluxVertex& v : contour.vertices)

@@ -251,5 +251,47 @@ TEST(Layering, FilesAreShortEnoughToRead) {
   }
 }
 
+/// The name of a type that a line begins to define, or "".
+std::string TypeNameIn(std::string_view line) {
+  for (const std::string_view word : {"struct ", "enum class ", "class "}) {
+    if (!line.starts_with(word)) continue;
+    line.remove_prefix(word.size());
+    if (line.starts_with("TRUELUX_EXPORT ")) line.remove_prefix(15);
+    const std::size_t end = line.find_first_not_of(
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789");
+    if (end == line.npos) return std::string(line);
+    // A declaration ends at once, a member has its own scope, and a
+    // specialization is one more of a template.
+    if (line[end] == ';' || line[end] == '<' ||
+        line.substr(end).starts_with("::"))
+      return "";
+    return std::string(line.substr(0, end));
+  }
+  return "";
+}
+
+// Two types of one name in one program share what the compiler makes of them,
+// such as their destructors, and no tool says so.
+TEST(Layering, NoTwoTypesHaveOneName) {
+  std::map<std::string, std::set<std::string>> files;
+  for (const char* folder : {"include", "src"}) {
+    for (const Source& source : SourcesIn(folder)) {
+      bool is_inner = false;  // in a namespace without a name
+      for (const std::string& line : source.lines) {
+        if (line == "namespace {") is_inner = true;
+        if (line == "}  // namespace") is_inner = false;
+        const std::string name = is_inner ? "" : TypeNameIn(line);
+        if (!name.empty()) files[name].insert(source.path);
+      }
+    }
+  }
+  EXPECT_GT(files.size(), 300U);
+  EXPECT_TRUE(files.contains("IsoluxContour"));
+  for (const auto& [name, paths] : files) {
+    EXPECT_EQ(paths.size(), 1U)
+        << name << " in " << *paths.begin() << " and " << *paths.rbegin();
+  }
+}
+
 }  // namespace
 }  // namespace truelux

@@ -99,7 +99,7 @@ struct IsoluxVertex {
 
 /// A line on which E is a level, with what is larger on its left as seen from
 /// the lit side.
-struct Contour {
+struct IsoluxContour {
   double level = 0;  ///< [W/m^2]
   /// The number of a face of the surface that looks to the contour's side, for
   /// Receiver::on_face: faces of a surface may look to both.
@@ -142,7 +142,7 @@ struct IsoluxOptions {
 /// Contours, with what is known about those that are missing.
 struct Isolux {
   std::vector<double> levels;
-  std::vector<Contour> contours;  ///< by levels
+  std::vector<IsoluxContour> contours;  ///< by levels
   SurfaceLines lines;
   /// Of length 1, along the surface: as the lit side of the first face is seen,
   /// `right` is to the right and `up`, the normal x `right`, is up. `right` is

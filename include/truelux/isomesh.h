@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "truelux/export.h"
@@ -52,13 +53,15 @@ struct IsoMeshTriangle {
   /// Of the side from vertex k + 1 to vertex k + 2, which is opposite to vertex
   /// k.
   std::array<MeshSide, 3> sides{};
-  int face = 0;  ///< as Contour::face
+  int face = 0;  ///< as IsoluxContour::face
 };
 
 /// How far values that are interpolated between vertices are from the truth
 /// [W/m^2], measured and not proven.
 struct InterpolationError {
-  double most = 0;  ///< in 10,000 points of the area and all triangles' middles
+  /// In 10,000 points of the area and the middles of all triangles. The larger of
+  /// the two sides, if faces look to both, as the others.
+  double most = 0;
   double at_99 = 0;  ///< 99 % of the points have less
   double mean = 0;   ///< over the points
 };
@@ -71,8 +74,12 @@ struct IsoMeshOptions {
   /// each [W/m^2]; 0: 1/100 of the difference of the largest and the least value
   /// that were met.
   double error = 0;
-  double smallest = 0;  ///< nor are shorter ones divided [length]; 0: 2^-12
-  std::size_t most_vertices = 0;  ///< 0: 1 million
+  /// Triangles whose longest side is not longer are not divided [length]; 0:
+  /// 2^-12 of the size.
+  double smallest = 0;
+  /// Nor is any if there are so many vertices, before they are doubled at jumps;
+  /// 0: 300,000.
+  std::size_t most_vertices = 0;
 };
 
 /// A mesh, and the contours that are in it.

@@ -154,7 +154,7 @@ ExitStatus RunIsolux(const IsoluxArguments& arguments) {
         ExtremaCsv(ByOptions([&] { return FindExtrema(oracle, request); }));
   }
 
-  const PlanSubject subject = SubjectOf(oracle.scene(), isolux, request);
+  const PlanSubject subject = SubjectOf(oracle.scene(), mesh.isolux, request);
   for (std::size_t i = 0; i < request.formats.size(); ++i) {
     StopIfInterrupted();
     files[i].Write(FileText(request.formats[i], mesh, subject));

@@ -129,7 +129,7 @@ std::vector<OptionRow> OptionsOf(IsoluxArguments& arguments) {
       {.name = "--mesh-vertices",
        .target = &arguments.mesh_vertices,
        .value = "N",
-       .help = "nor if there are so many vertices; by default 1 million"},
+       .help = "nor if there are so many vertices; by default 300 000"},
       MethodOption(arguments.method),
       EmissionOption(arguments.emission),
       ThreadsOption(arguments.threads),

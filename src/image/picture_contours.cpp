@@ -63,7 +63,7 @@ std::vector<PictureContour> FindPictureContours(const Oracle& oracle,
   const PicturePlaces places(named.frame, image.values.width(),
                              image.values.height());
   std::vector<PictureContour> drawn;
-  for (const Contour& contour :
+  for (const IsoluxContour& contour :
        QuickContoursOf(oracle, surface, levels, shown.channel,
                        kSpacing * places.PixelSize(), threads, watch)) {
     PictureContour& line = drawn.emplace_back();

@@ -87,14 +87,14 @@ class Tracer {
     if (ValueAt(q).value < ValueAt(p).value) std::swap(p, q);
     const KnownTriangle& known =
         search_.known()[static_cast<std::size_t>(found.triangle)];
-    Crossing crossing{mesh_.points()[static_cast<std::size_t>(p)],
-                      mesh_.points()[static_cast<std::size_t>(q)],
-                      ValueAt(p),
-                      ValueAt(q),
-                      mesh_.CentreOf(found.triangle),
-                      known.centre.gradient,
-                      t.kinds[found.side],
-                      t.seams[found.side]};
+    LevelCrossing crossing{mesh_.points()[static_cast<std::size_t>(p)],
+                           mesh_.points()[static_cast<std::size_t>(q)],
+                           ValueAt(p),
+                           ValueAt(q),
+                           mesh_.CentreOf(found.triangle),
+                           known.centre.gradient,
+                           t.kinds[found.side],
+                           t.seams[found.side]};
     const std::array<int, 2> beside = {found.triangle, t.neighbors[found.side]};
     const auto in_region = [&](const PlanPoint& point) {
       return std::ranges::any_of(beside, [&](int triangle) {

@@ -16,7 +16,7 @@ bool InAnyCase(const PlanPoint&) {
 
 /// Where a parabola through both ends, with a slope in between, has the level;
 /// shares of the way. Else where the chord has it.
-double FirstGuess(const Crossing& crossing, double level) {
+double FirstGuess(const LevelCrossing& crossing, double level) {
   const PlanPoint way = crossing.above - crossing.below;
   const double rise = crossing.at_above.value - crossing.at_below.value;
   const double want = level - crossing.at_below.value;
@@ -62,7 +62,7 @@ bool ContourPointFinder::CertifyAt(ContourPoint& point, const PlanPoint& along,
   return point.is_certified;
 }
 
-ContourPoint ContourPointFinder::OnCrossing(const Crossing& crossing,
+ContourPoint ContourPointFinder::OnCrossing(const LevelCrossing& crossing,
                                             double level,
                                             const InRegion& in_region) const {
   const PlanPoint way = crossing.above - crossing.below;

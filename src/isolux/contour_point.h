@@ -26,7 +26,7 @@ struct ContourPoint {
 };
 
 /// Where a level is passed along a segment.
-struct Crossing {
+struct LevelCrossing {
   PlanPoint below;  ///< where E is below the level
   PlanPoint above;  ///< where it is not
   LightValue at_below;
@@ -51,7 +51,8 @@ class ContourPointFinder {
   /// The point of a level on a crossing: its bracket is narrowed along the
   /// segment. The transversal is along the gradient if that keeps it in the
   /// region and the point is inside; else along the segment.
-  [[nodiscard]] ContourPoint OnCrossing(const Crossing& crossing, double level,
+  [[nodiscard]] ContourPoint OnCrossing(const LevelCrossing& crossing,
+                                        double level,
                                         const InRegion& in_region) const;
 
   /// The point of a level near a sample, along its gradient, which changes over

@@ -84,7 +84,7 @@ class IsoluxFinder {
     SetLevels();
     for (const auto& side : prepared_.sides)
       Trace(*side);
-    std::ranges::stable_sort(result_.contours, {}, &Contour::level);
+    std::ranges::stable_sort(result_.contours, {}, &IsoluxContour::level);
     return {std::move(prepared_), std::move(lines_), std::move(result_)};
   }
 
@@ -192,9 +192,9 @@ class IsoluxFinder {
 
 }  // namespace
 
-Contour ContourOf(const PlanFrame& plan, const ContourLine& line,
-                  std::span<const double> levels) {
-  Contour contour;
+IsoluxContour ContourOf(const PlanFrame& plan, const ContourLine& line,
+                        std::span<const double> levels) {
+  IsoluxContour contour;
   contour.level = levels[line.level];
   contour.face = plan.ReceiverAt({}).on_face;
   contour.is_closed = line.is_closed;

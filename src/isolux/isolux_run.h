@@ -25,8 +25,8 @@ Isolux FindIsolux(const Oracle& oracle, const std::string& surface,
                   const IsoluxOptions& options, const Watch& watch);
 
 /// A contour in the scene's frame.
-Contour ContourOf(const PlanFrame& plan, const ContourLine& line,
-                  std::span<const double> levels);
+IsoluxContour ContourOf(const PlanFrame& plan, const ContourLine& line,
+                        std::span<const double> levels);
 
 /// A surface and its contours, for who goes on from there.
 struct TracedSurface {

@@ -42,16 +42,16 @@ void Approach(MeshSearch& search, std::span<const double> levels,
 
 }  // namespace
 
-std::vector<Contour> QuickContoursOf(const Oracle& oracle,
-                                     const std::string& surface,
-                                     std::span<const double> levels,
-                                     std::optional<ScalarChannel> channel,
-                                     double spacing, int threads,
-                                     const Watch& watch) {
+std::vector<IsoluxContour> QuickContoursOf(const Oracle& oracle,
+                                           const std::string& surface,
+                                           std::span<const double> levels,
+                                           std::optional<ScalarChannel> channel,
+                                           double spacing, int threads,
+                                           const Watch& watch) {
   constexpr double kElsewhere = 3;
   const Scene& scene = oracle.scene();
   const NamedSurface named = SurfaceNamed(scene, surface);
-  std::vector<Contour> contours;
+  std::vector<IsoluxContour> contours;
   for (const bool is_reverse : {false, true}) {
     std::vector<int> faces = FacesOfSide(named.frame, is_reverse);
     if (faces.empty()) continue;
@@ -74,7 +74,7 @@ std::vector<Contour> QuickContoursOf(const Oracle& oracle,
                         threads, watch))
       contours.push_back(ContourOf(side.plan(), line, levels));
   }
-  std::ranges::stable_sort(contours, {}, &Contour::level);
+  std::ranges::stable_sort(contours, {}, &IsoluxContour::level);
   return contours;
 }
 

@@ -22,12 +22,12 @@ namespace truelux {
 /// eighth of the spacing. Lines end at faces that stand on the surface. Costs as
 /// much as so many values, whatever the scene. levels: ascending, above 0.
 /// Throws as IsoluxOf does.
-std::vector<Contour> QuickContoursOf(const Oracle& oracle,
-                                     const std::string& surface,
-                                     std::span<const double> levels,
-                                     std::optional<ScalarChannel> channel,
-                                     double spacing, int threads,
-                                     const Watch& watch);
+std::vector<IsoluxContour> QuickContoursOf(const Oracle& oracle,
+                                           const std::string& surface,
+                                           std::span<const double> levels,
+                                           std::optional<ScalarChannel> channel,
+                                           double spacing, int threads,
+                                           const Watch& watch);
 
 }  // namespace truelux
 

@@ -23,7 +23,7 @@ constexpr double kError = 1.0 / 100;
 constexpr double kSmallest = 0x1p-12;
 constexpr double kCorner = 0x1p-16;
 constexpr double kChord = 0x1p-11;
-constexpr std::size_t kMostVertices = 1'000'000;
+constexpr std::size_t kMostVertices = 300'000;
 
 void CheckNumber(const char* name, double value) {
   if (value >= 0 && std::isfinite(value)) return;
@@ -60,7 +60,7 @@ double LeastAngleOf(const LightMesh& mesh, const PlanTriangle& triangle) {
   return least * 180 / std::numbers::pi;
 }
 
-/// The larger ones, and the mean by the areas' shares of points, which are alike.
+/// The larger ones.
 void Join(const InterpolationError& one, InterpolationError& sum) {
   sum.most = std::max(sum.most, one.most);
   sum.at_99 = std::max(sum.at_99, one.at_99);

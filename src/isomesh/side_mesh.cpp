@@ -158,7 +158,7 @@ class MeshMaker {
     const auto wanted = static_cast<double>(result.mesh.vertices.size());
     // As many vertices as squares of the length.
     double length = side_.first().scale.size / std::sqrt(wanted);
-    constexpr int kMostTries = 12;
+    constexpr int kMostTries = 6;
     for (int i = 0; i < kMostTries; ++i) {
       RefinedPlane plane(outline, is_inside);
       plane.DivideTo(length, watch_.stop);

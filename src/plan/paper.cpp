@@ -46,7 +46,7 @@ PaperPoint Paper::At(const Point3& p) const {
           area_.top + scale_ * (top_ - place.y)};
 }
 
-PaperPath Paper::PathOf(const Contour& contour) const {
+PaperPath Paper::PathOf(const IsoluxContour& contour) const {
   constexpr double kNear = 0.3;
   PaperPath path;
   for (std::size_t i = 0; i < contour.vertices.size(); ++i) {

@@ -21,7 +21,7 @@ class Paper {
   [[nodiscard]] PaperPoint At(const Point3& p) const;
 
   /// A contour, without vertices that eyes cannot tell from the one before.
-  [[nodiscard]] PaperPath PathOf(const Contour& contour) const;
+  [[nodiscard]] PaperPath PathOf(const IsoluxContour& contour) const;
 
   /// What the surface covers.
   [[nodiscard]] const LabelBox& area() const { return area_; }

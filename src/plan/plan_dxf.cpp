@@ -161,7 +161,7 @@ void AddHeader(DxfText& dxf, const Isolux& isolux) {
   dxf.Add(kStart, "ENDSEC");
 }
 
-void AddContour(DxfText& dxf, const Contour& contour) {
+void AddContour(DxfText& dxf, const IsoluxContour& contour) {
   constexpr int kClosed = 1;
   constexpr int kInSpace = 8;
   constexpr int kVertexInSpace = 32;
@@ -221,7 +221,7 @@ std::string PlanDxf(const Isolux& isolux) {
   }
   for (const OpenTriangle& open : isolux.open)
     AddTriangle(dxf, open.corners);
-  for (const Contour& contour : isolux.contours)
+  for (const IsoluxContour& contour : isolux.contours)
     AddContour(dxf, contour);
   dxf.Add(kStart, "ENDSEC");
   dxf.Add(kStart, "EOF");

@@ -86,7 +86,7 @@ std::string TextOf(const IsoluxVertex& vertex) {
       .Ended();
 }
 
-std::string TextOf(const Contour& contour) {
+std::string TextOf(const IsoluxContour& contour) {
   return ObjectText()
       .Add("level", TextOf(contour.level))
       .Add("face", std::to_string(contour.face))
@@ -193,7 +193,7 @@ std::string PlanJson(const Isolux& isolux, const PlanSubject& subject) {
   text.AddList("outline", isolux.outline,
                [](const auto& side) { return ListText(side); });
   text.AddList("contours", isolux.contours,
-               [](const Contour& contour) { return TextOf(contour); });
+               [](const IsoluxContour& contour) { return TextOf(contour); });
   text.Add("lines_complete", TextOf(isolux.lines.is_complete));
   text.AddList("lines", isolux.lines.lines, [&](const SurfaceLine& line) {
     return LineText(line, subject);

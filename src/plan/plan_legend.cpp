@@ -148,8 +148,9 @@ class LegendWriter {
       std::string& text = texts.emplace_back();
       AppendNumber(text, level);
       const bool is_met = std::ranges::any_of(
-          isolux_.contours,
-          [level](const Contour& contour) { return contour.level == level; });
+          isolux_.contours, [level](const IsoluxContour& contour) {
+            return contour.level == level;
+          });
       if (!is_met) text += " (no line)";
       widest = std::max(widest, text.size());
     }

@@ -27,7 +27,7 @@ struct LineCounts {
 
 LineCounts CountsOf(const Isolux& isolux) {
   LineCounts counts;
-  for (const Contour& contour : isolux.contours) {
+  for (const IsoluxContour& contour : isolux.contours) {
     counts.vertices += contour.vertices.size();
     for (const IsoluxVertex& vertex : contour.vertices) {
       if (vertex.is_certified) {

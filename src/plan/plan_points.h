@@ -21,7 +21,7 @@ void ForEachPlanPoint(const Isolux& isolux, const Take& take) {
     for (const Point3& p : line.ends)
       take(p);
   }
-  for (const Contour& contour : isolux.contours) {
+  for (const IsoluxContour& contour : isolux.contours) {
     for (const IsoluxVertex& vertex : contour.vertices)
       take(vertex.at);
   }

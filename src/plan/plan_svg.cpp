@@ -55,7 +55,7 @@ std::string PathElement(const std::string& path, const std::string& style,
          "</title></path>\n";
 }
 
-std::string TitleOf(const Contour& contour) {
+std::string TitleOf(const IsoluxContour& contour) {
   double widest = 0;
   for (const double width : contour.widths)
     widest = std::max(widest, width);
@@ -141,7 +141,7 @@ class PlanDrawing {
   }
 
   void PlaceLabels() {
-    for (const Contour& contour : isolux_.contours) {
+    for (const IsoluxContour& contour : isolux_.contours) {
       const auto level =
           std::ranges::lower_bound(isolux_.levels, contour.level);
       lines_.push_back(

@@ -65,7 +65,7 @@ std::string ContourCsv(const Isolux& isolux) {
       "contour,level,closed,vertex,x,y,z,half_width,across_x,across_y,across_z,"
       "certified,on,chord\n";
   for (std::size_t i = 0; i < isolux.contours.size(); ++i) {
-    const Contour& contour = isolux.contours[i];
+    const IsoluxContour& contour = isolux.contours[i];
     std::string start = std::to_string(i + 1);
     AppendField(start, contour.level);
     start += contour.is_closed ? ",1," : ",0,";

@@ -26,7 +26,7 @@ using namespace testing;  // NOLINT(google-build-using-namespace)
 void ExpectCertified(const Scene& scene, const Isolux& isolux, double width) {
   const Oracle oracle(scene);
   std::size_t count = 0;
-  for (const Contour& contour : isolux.contours) {
+  for (const IsoluxContour& contour : isolux.contours) {
     EXPECT_EQ(contour.widths.size() + (contour.is_closed ? 0 : 1),
               contour.vertices.size());
     for (const IsoluxVertex& v : contour.vertices) {
@@ -63,7 +63,7 @@ TEST(Contours, OfASquareLampAreClosedAndSymmetric) {
   ExpectCertified(scene, isolux, 1e-9 * isolux.size);
   const Oracle oracle(scene);
   for (std::size_t k = 0; k < 3; ++k) {
-    const Contour& contour = isolux.contours[k];
+    const IsoluxContour& contour = isolux.contours[k];
     EXPECT_EQ(contour.level, options.levels[k]);
     EXPECT_TRUE(contour.is_closed);
     double area = 0;
@@ -103,7 +103,7 @@ TEST(Contours, OfADiscAreCircles) {
   const Isolux isolux = FloorIsolux(scene, options);
   EXPECT_TRUE(isolux.open.empty());
   ASSERT_EQ(isolux.contours.size(), 2U);
-  for (const Contour& contour : isolux.contours) {
+  for (const IsoluxContour& contour : isolux.contours) {
     // Lambert's disc: E = M/2 (1 - (x2 + h2 - a2) / sqrt((x2 + h2 + a2)^2
     // - 4 a2 x2)) at a distance x from its axis.
     const auto disc = [](double x) {
@@ -158,7 +158,7 @@ TEST(Contours, OfATriangleAreWhereItsFormulaSays) {
   ASSERT_GE(isolux.contours.size(), 2U);
   ExpectCertified(scene, isolux, 1e-9 * isolux.size);
   std::size_t checked = 0;
-  for (const Contour& contour : isolux.contours) {
+  for (const IsoluxContour& contour : isolux.contours) {
     for (const IsoluxVertex& v : contour.vertices) {
       long double low = -1e-6L;
       long double high = 1e-6L;
@@ -188,7 +188,7 @@ TEST(Contours, GoOnAcrossKinks) {
   };
   EXPECT_GT(std::ranges::count_if(isolux.lines.lines, at_x0), 0);
   std::size_t on_kink = 0;
-  for (const Contour& contour : isolux.contours) {
+  for (const IsoluxContour& contour : isolux.contours) {
     for (std::size_t i = 0; i < contour.vertices.size(); ++i) {
       const IsoluxVertex& v = contour.vertices[i];
       if (v.on != ContourPlace::kKink) continue;
@@ -212,7 +212,7 @@ TEST(Contours, EndAtWalls) {
   ExpectCertified(scene, isolux, 1e-9 * isolux.size);
   std::size_t ends_at_walls = 0;
   std::size_t checked = 0;
-  for (const Contour& contour : isolux.contours) {
+  for (const IsoluxContour& contour : isolux.contours) {
     if (!contour.is_closed) {
       for (const IsoluxVertex* v :
            {&contour.vertices.front(), &contour.vertices.back()}) {

@@ -80,7 +80,7 @@ template <class FlatOf>
 PieceGrid GridOf(const Isolux& isolux, const FlatOf& flat) {
   PieceGrid grid(isolux.size / 128);
   for (std::size_t i = 0; i < isolux.contours.size(); ++i) {
-    const Contour& contour = isolux.contours[i];
+    const IsoluxContour& contour = isolux.contours[i];
     const auto chords = ChordsOf(contour, flat);
     for (std::size_t k = 0; k < chords.size(); ++k)
       grid.Add({chords[k], i, contour.level, contour.widths[k]});
@@ -169,7 +169,7 @@ TEST(IsoluxScenes, TheCornellFloor) {
   EXPECT_EQ(isolux.levels.size(), 10U);
   EXPECT_LT(isolux.open_area, 1e-6 * isolux.area);
   std::size_t vertices = 0;
-  for (const Contour& contour : isolux.contours) {
+  for (const IsoluxContour& contour : isolux.contours) {
     vertices += contour.vertices.size();
     for (const IsoluxVertex& v : contour.vertices) {
       EXPECT_TRUE(v.is_certified);

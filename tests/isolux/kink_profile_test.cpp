@@ -82,7 +82,7 @@ TEST(KinkProfile, ContoursBendAsTheGradientsSay) {
   options.smallest = 1e-4;
   const Isolux isolux = IsoluxOf(oracle, "floor", options);
   std::size_t bends = 0;
-  for (const Contour& contour : isolux.contours) {
+  for (const IsoluxContour& contour : isolux.contours) {
     const std::size_t count = contour.vertices.size();
     for (std::size_t i = 1; i + 1 < count; ++i) {
       const IsoluxVertex& v = contour.vertices[i];

@@ -74,7 +74,7 @@ inline double DistanceTo(const Flat& p, const std::array<Flat, 2>& s) {
 
 /// The chords of a contour by the two coordinates along a surface.
 template <class FlatOf>
-std::vector<std::array<Flat, 2>> ChordsOf(const Contour& contour,
+std::vector<std::array<Flat, 2>> ChordsOf(const IsoluxContour& contour,
                                           const FlatOf& flat) {
   std::vector<std::array<Flat, 2>> chords;
   const std::size_t count = contour.vertices.size();

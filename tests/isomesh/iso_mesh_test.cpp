@@ -54,7 +54,7 @@ IsoMesh MeshOf(const Scene& scene, int threads = 2) {
 
 double LengthOf(const Isolux& isolux, const std::vector<std::size_t>& levels) {
   double length = 0;
-  for (const Contour& contour : isolux.contours) {
+  for (const IsoluxContour& contour : isolux.contours) {
     if (!std::ranges::count(
             levels, static_cast<std::size_t>(
                         std::ranges::find(isolux.levels, contour.level) -

@@ -32,9 +32,9 @@ inline Isolux MadeFloor(double width, double height) {
 }
 
 /// A circle or, if it is not closed, its upper half.
-inline Contour MadeCircle(double level, double x, double y, double radius,
-                          bool is_closed, int steps = 90) {
-  Contour contour;
+inline IsoluxContour MadeCircle(double level, double x, double y, double radius,
+                                bool is_closed, int steps = 90) {
+  IsoluxContour contour;
   contour.level = level;
   contour.is_closed = is_closed;
   const double turn = is_closed ? 2 * std::numbers::pi : std::numbers::pi;

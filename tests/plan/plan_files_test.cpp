@@ -41,7 +41,7 @@ TEST(PlanTables, ContoursReadBack) {
   ASSERT_EQ(rows[row].size(), 14U);
   EXPECT_EQ(rows[row][0], "contour");
   for (std::size_t i = 0; i < isolux.contours.size(); ++i) {
-    const Contour& contour = isolux.contours[i];
+    const IsoluxContour& contour = isolux.contours[i];
     for (std::size_t k = 0; k < contour.vertices.size(); ++k) {
       ASSERT_LT(++row, rows.size());
       const auto& fields = rows[row];
@@ -132,7 +132,7 @@ TEST(PlanJson, HasEverything) {
   EXPECT_EQ(json["outline"].size(), 4U);
   ASSERT_EQ(json["contours"].size(), isolux.contours.size());
   for (std::size_t i = 0; i < isolux.contours.size(); ++i) {
-    const Contour& contour = isolux.contours[i];
+    const IsoluxContour& contour = isolux.contours[i];
     const Json& own = json["contours"][i];
     EXPECT_EQ(own["level"], contour.level);
     EXPECT_EQ(own["closed"], contour.is_closed);

@@ -52,7 +52,7 @@ py::dict DictOf(const SurfaceLines& lines) {
   return all;
 }
 
-py::dict DictOf(const truelux::Contour& contour) {
+py::dict DictOf(const truelux::IsoluxContour& contour) {
   NumberRows vertices;
   NumberRows across;
   NumberRows half_width;
@@ -180,7 +180,7 @@ py::dict IsoluxDictOf(const Isolux& isolux) {
   for (const double level : isolux.levels)
     levels.Add(level);
   py::list contours;
-  for (const truelux::Contour& contour : isolux.contours)
+  for (const truelux::IsoluxContour& contour : isolux.contours)
     contours.append(DictOf(contour));
   NumberRows outline;
   for (const std::array<Point3, 2>& side : isolux.outline)

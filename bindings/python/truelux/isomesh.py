@@ -153,7 +153,8 @@ class MeshAnswers:
             Triangles whose sides are all not longer than this are not divided
             [length]; 2^-12 of the surface's size.
         most_vertices : int, optional
-            No triangle is divided when there are so many vertices; 1 million.
+            No triangle is divided when there are so many vertices, before they are
+            doubled at jumps; 300,000.
         threads, progress
             As for `isolux`.
 

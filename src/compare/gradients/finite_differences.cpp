@@ -254,14 +254,14 @@ Wrong WrongWith(const GradientTrial& trial, const Step& step,
       ways.push_back(way);
     }
   }
-  const std::vector<Crossing> crossings = CrossingsOn(trial, ways);
+  const std::vector<WayCrossing> crossings = CrossingsOn(trial, ways);
   Wrong wrong;
   for (std::size_t k = 0; k < errors.size(); ++k) {
     const auto of_receiver = std::span(crossings).subspan(3 * k, 3);
     const bool has_face =
-        std::ranges::find(of_receiver, Crossing::kFace) != of_receiver.end();
+        std::ranges::find(of_receiver, WayCrossing::kFace) != of_receiver.end();
     const bool has_kink =
-        std::ranges::find(of_receiver, Crossing::kKink) != of_receiver.end();
+        std::ranges::find(of_receiver, WayCrossing::kKink) != of_receiver.end();
     ++wrong.receivers;
     wrong.loss += errors[k].first;
     if (has_face) ++wrong.faces;

@@ -55,18 +55,18 @@ class Halving {
     }
   }
 
-  [[nodiscard]] Crossing At(std::size_t w) const {
+  [[nodiscard]] WayCrossing At(std::size_t w) const {
     constexpr double kJump = 1e-3;
-    Crossing crossing = Crossing::kNothing;
+    WayCrossing crossing = WayCrossing::kNothing;
     for (std::size_t c = 0; c < trial_.data().channels.size(); ++c) {
       const double e = std::abs(from_[w].irradiance[c] - to_[w].irradiance[c]);
       if (e > kJump * std::max(from_[w].irradiance[c], to_[w].irradiance[c]))
-        return Crossing::kFace;
+        return WayCrossing::kFace;
       const Vector3& a = from_[w].gradient[c];
       const Vector3& b = to_[w].gradient[c];
       const double length = std::max(LengthOf(a), LengthOf(b));
       if (LengthOf(Difference(a, b)) > kJump * length)
-        crossing = Crossing::kKink;
+        crossing = WayCrossing::kKink;
     }
     return crossing;
   }
@@ -104,13 +104,13 @@ class Halving {
 
 }  // namespace
 
-std::vector<Crossing> CrossingsOn(const GradientTrial& trial,
-                                  std::span<const Way> ways) {
+std::vector<WayCrossing> CrossingsOn(const GradientTrial& trial,
+                                     std::span<const Way> ways) {
   constexpr int kRounds = 30;
   Halving halving(trial, ways);
   for (int round = 0; round < kRounds; ++round)
     halving.Step();
-  std::vector<Crossing> crossings;
+  std::vector<WayCrossing> crossings;
   for (std::size_t w = 0; w < ways.size(); ++w)
     crossings.push_back(halving.At(w));
   return crossings;

@@ -21,7 +21,7 @@ struct Way {
   Receiver to;
 };
 
-enum class Crossing {
+enum class WayCrossing {
   kNothing,
   kKink,  ///< the gradient jumps
   kFace,  ///< the irradiance does
@@ -32,8 +32,8 @@ enum class Crossing {
 /// the gradient, or of the irradiance, jumps. One jump a way is found; a way with
 /// several, or with a jump that is smaller than what changes steadily elsewhere
 /// on it, may pass for one with none.
-[[nodiscard]] std::vector<Crossing> CrossingsOn(const GradientTrial& trial,
-                                                std::span<const Way> ways);
+[[nodiscard]] std::vector<WayCrossing> CrossingsOn(const GradientTrial& trial,
+                                                   std::span<const Way> ways);
 
 }  // namespace truelux
 

@@ -55,6 +55,18 @@ def test_shader_check(tmp_path):
     assert float(re.search(r"error there is (\S+)", out)[1]) < 1e-4
 
 
+def test_iso_mesh(tmp_path):
+    out = checked("iso_mesh.py", plot(tmp_path))
+    mine, theirs = (float(re.search(rf"{words} by (\S+)", out)[1])
+                    for words in ("is wrong", "uniform mesh"))
+    assert mine < theirs / 2
+
+
+def test_gradient_field(tmp_path):
+    out = checked("gradient_field.py", plot(tmp_path))
+    assert float(re.search(r"within (\S+) degrees", out)[1]) < 0.1
+
+
 def test_lightmap_check(tmp_path):
     out = checked("lightmap_check.py", plot(tmp_path))
     assert "moved by (-0.5, -0.5) texels" in out

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "isomesh/light_mesh.h"
 
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "isolux/cut_mesh.h"
+#include "isolux/mesh_search.h"
 #include "run/parallel.h"
 #include "run/progress.h"
 
@@ -80,53 +81,50 @@ class Lighter {
     return feet;
   }
 
-  /// Gives each triangle at a foot a vertex of its own.
+  /// A corner at a foot, with a vertex of its own.
+  struct FootCorner {
+    std::size_t triangle;
+    std::size_t k;
+    std::size_t foot;  ///< the vertex that all share
+    std::size_t own;
+  };
+
+  /// Gives each triangle at a foot a vertex of its own, where that matters.
   void DivideFeet(double tolerance) {
-    const std::vector<bool> feet = Feet();
-
-    struct Corner {
-      std::size_t triangle;
-      std::size_t k;
-      std::size_t vertex;  ///< the new one
-    };
-
-    const std::size_t old = mesh_.vertices.size();
-    std::vector<Corner> corners;
-    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
-      PlanTriangle& triangle = mesh_.triangles[i];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto foot = static_cast<std::size_t>(triangle.corners[k]);
-        if (foot >= old || !feet[foot]) continue;
-        LightVertex own = mesh_.vertices[foot];
-        own.receiver = own.at + ReachInto(triangle, k);
-        corners.push_back({i, k, mesh_.vertices.size()});
-        mesh_.vertices.push_back(own);
-      }
-    }
+    const std::vector<FootCorner> corners = AddFootVertices();
     if (corners.empty()) return;
     AskAll();
-    std::vector<double> least(old, HUGE_VAL);
-    std::vector<double> most(old, -HUGE_VAL);
-    const auto foot_of = [&](const Corner& corner) {
-      return static_cast<std::size_t>(
-          mesh_.triangles[corner.triangle].corners[corner.k]);
-    };
-    for (const Corner& corner : corners) {
-      const double value = mesh_.vertices[corner.vertex].value;
-      least[foot_of(corner)] = std::min(least[foot_of(corner)], value);
-      most[foot_of(corner)] = std::max(most[foot_of(corner)], value);
-    }
+    std::vector<ValueRange> ranges(mesh_.vertices.size());
+    for (const FootCorner& corner : corners)
+      ranges[corner.foot].Take(mesh_.vertices[corner.own].value);
     std::vector<bool> is_used(mesh_.vertices.size(), true);
-    for (const Corner& corner : corners) {
-      const std::size_t foot = foot_of(corner);
-      const bool is_divided = most[foot] - least[foot] > tolerance;
-      is_used[is_divided ? foot : corner.vertex] = false;
+    for (const FootCorner& corner : corners) {
+      const ValueRange& range = ranges[corner.foot];
+      const bool is_divided = range.most - range.least > tolerance;
+      is_used[is_divided ? corner.foot : corner.own] = false;
       if (is_divided) {
         mesh_.triangles[corner.triangle].corners[corner.k] =
-            static_cast<int>(corner.vertex);
+            static_cast<int>(corner.own);
       }
     }
     DropUnused(is_used);
+  }
+
+  std::vector<FootCorner> AddFootVertices() {
+    const std::vector<bool> feet = Feet();
+    std::vector<FootCorner> corners;
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto foot =
+            static_cast<std::size_t>(mesh_.triangles[i].corners[k]);
+        if (!feet[foot]) continue;
+        LightVertex own = mesh_.vertices[foot];
+        own.receiver = own.at + ReachInto(mesh_.triangles[i], k);
+        corners.push_back({i, k, foot, mesh_.vertices.size()});
+        mesh_.vertices.push_back(own);
+      }
+    }
+    return corners;
   }
 
   /// From a corner, in a direction between its sides.

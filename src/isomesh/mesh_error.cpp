@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <random>
+#include <utility>
 
 #include "run/parallel.h"
 #include "run/progress.h"
@@ -30,27 +30,18 @@ std::array<double, 3> WeightsAt(const LightMesh& mesh,
   return {1 - second - third, second, third};
 }
 
-/// Sums up errors of which one half are weighted by areas.
-class ErrorSum {
- public:
-  void Take(double error) { errors_.push_back(std::fabs(error)); }
-
-  [[nodiscard]] InterpolationError Result() {
-    InterpolationError result;
-    if (errors_.empty()) return result;
-    std::ranges::sort(errors_);
-    double sum = 0;
-    for (const double error : errors_)
-      sum += error;
-    result.mean = sum / static_cast<double>(errors_.size());
-    result.most = errors_.back();
-    result.at_99 = errors_[(errors_.size() - 1) * 99 / 100];
-    return result;
-  }
-
- private:
-  std::vector<double> errors_;
-};
+InterpolationError SummedUp(std::vector<double> errors) {
+  InterpolationError result;
+  if (errors.empty()) return result;
+  std::ranges::sort(errors);
+  double sum = 0;
+  for (const double error : errors)
+    sum += error;
+  result.mean = sum / static_cast<double>(errors.size());
+  result.at_99 = errors[(errors.size() - 1) * 99 / 100];
+  result.most = errors.back();
+  return result;
+}
 
 }  // namespace
 
@@ -90,16 +81,17 @@ InterpolationError ErrorOf(const LightProbe& probe, const RefinedPlane& plane,
                            const LightMesh& mesh,
                            std::span<const LitPoint> sample, int threads,
                            const Watch& watch) {
-  ErrorSum of_sample;
+  std::vector<double> errors;
   for (const LitPoint& point : sample) {
     const std::optional<int> index = plane.TriangleAt(point.at);
     if (!index) continue;
     const PlanTriangle& triangle =
         mesh.triangles[static_cast<std::size_t>(*index)];
-    of_sample.Take(mesh.ValueIn(triangle, WeightsAt(mesh, triangle, point.at)) -
-                   point.value);
+    errors.push_back(
+        std::fabs(mesh.ValueIn(triangle, WeightsAt(mesh, triangle, point.at)) -
+                  point.value));
   }
-  InterpolationError result = of_sample.Result();
+  InterpolationError result = SummedUp(std::move(errors));
   std::vector<double> middles(mesh.triangles.size());
   Progress progress(middles.size(), "triangles", watch);
   constexpr std::array<double, 3> kMiddle = {1.0 / 3, 1.0 / 3, 1.0 / 3};

@@ -137,24 +137,18 @@ class RefinedPlane::Plane {
     for (const FaceHandle first : delaunay_.finite_face_handles()) {
       if (!seen.insert(first).second) continue;
       std::vector<FaceHandle> part = {first};
-      bool is_finite = true;
       for (std::size_t i = 0; i < part.size(); ++i) {
         for (int k = 0; k < 3; ++k) {
           const FaceHandle next = part[i]->neighbor(k);
           if (IsBorder(part[i], k)) continue;
-          if (delaunay_.is_infinite(next)) {
-            is_finite = false;
-          } else if (seen.insert(next).second) {
+          if (!delaunay_.is_infinite(next) && seen.insert(next).second)
             part.push_back(next);
-          }
         }
       }
       const FaceHandle largest = *std::ranges::max_element(part, {}, AreaOf);
-      const bool is_in =
-          is_finite &&
-          is_inside(PlanPointOf(CGAL::centroid(largest->vertex(0)->point(),
-                                               largest->vertex(1)->point(),
-                                               largest->vertex(2)->point())));
+      const bool is_in = is_inside(PlanPointOf(CGAL::centroid(
+          largest->vertex(0)->point(), largest->vertex(1)->point(),
+          largest->vertex(2)->point())));
       for (const FaceHandle face : part)
         face->set_in_domain(is_in);
     }

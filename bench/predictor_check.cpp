@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "predictor_check.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "truelux/irradiance.h"
 #include "truelux/scene.h"
@@ -62,10 +65,11 @@ double PlaceOnAxis(double level) {
   return low;
 }
 
-void Check(const LightProbe& probe, const TraceOptions& options) {
+/// Follows the contour of a level once round; throws what does not hold.
+Trace CheckedTrace(const LightProbe& probe, const TraceOptions& options) {
   const double x = PlaceOnAxis(options.level);
   const Vec3<double> start = probe.plan().PlaceOf(Point3{x, 5, 0});
-  const Trace trace = TraceContour(probe, {start.x, start.y}, false, options);
+  Trace trace = TraceContour(probe, {start.x, start.y}, false, options);
   const auto fail = [&](const std::string& what) {
     throw std::logic_error(fmt::format("tracer with {}, level {}: {}",
                                        Name(options.predictor), options.level,
@@ -83,6 +87,37 @@ void Check(const LightProbe& probe, const TraceOptions& options) {
   const double least = 2 * std::numbers::pi * 0.9 * (x - 5) / options.step;
   if (static_cast<double>(trace.points.size()) < least)
     fail(fmt::format("{} points", trace.points.size()));
+  return trace;
+}
+
+double MedianMiss(const Trace& trace) {
+  std::vector<double> misses;
+  for (const TracePoint& point : trace.points) {
+    if (point.miss) misses.push_back(*point.miss);
+  }
+  std::ranges::nth_element(misses, misses.begin() + std::ssize(misses) / 2);
+  return misses[misses.size() / 2];
+}
+
+/// Where E is analytic, the miss is of order h^5 with Milne's predictor, and
+/// h^3 with two steps. Without this a wrong predictor would go unnoticed, since
+/// the corrector makes up for it.
+void CheckOrder(const LightProbe& probe, Predictor predictor) {
+  const auto miss = [&](double step) {
+    return MedianMiss(CheckedTrace(probe, {.predictor = predictor,
+                                           .level = 0.02,
+                                           .step = step,
+                                           .tolerance = 1e-15,
+                                           .outline = {},
+                                           .most_points = 1000}));
+  };
+  const double fall = miss(0.2) / miss(0.1);
+  const double expected = predictor == Predictor::kMilne ? 32 : 8;
+  if (fall > 0.7 * expected && fall < 1.5 * expected) return;
+  throw std::logic_error(
+      fmt::format("tracer with {}: the miss falls by {:.1f} when the step is "
+                  "halved, and not by {}",
+                  Name(predictor), fall, expected));
 }
 
 }  // namespace
@@ -94,13 +129,14 @@ void CheckPredictorTracer() {
   const LightProbe probe(oracle, plan, {1, 0, 0});
   for (const Predictor predictor : {Predictor::kMilne, Predictor::kTwoStep}) {
     for (const double level : {0.02, 0.1, 0.22}) {
-      Check(probe, {.predictor = predictor,
-                    .level = level,
-                    .step = 0.1,
-                    .tolerance = 1e-9 * LightAt(5, 5),
-                    .outline = {},
-                    .most_points = 1000});
+      CheckedTrace(probe, {.predictor = predictor,
+                           .level = level,
+                           .step = 0.1,
+                           .tolerance = 1e-9 * LightAt(5, 5),
+                           .outline = {},
+                           .most_points = 1000});
     }
+    CheckOrder(probe, predictor);
   }
 }
 

@@ -65,7 +65,7 @@ class PlanMesh {
 
  private:
   [[nodiscard]] std::size_t LongestOf(const PlanTriangle& triangle) const;
-  int SideTowards(int triangle, int neighbor) const;
+  [[nodiscard]] int SideTowards(int triangle, int neighbor) const;
   int SplitAt(int triangle, std::size_t side, int point,
               const std::function<void(int, int)>& changed);
 

@@ -8,6 +8,7 @@
 
 #include "truelux/compare.h"
 #include "truelux/isolux.h"
+#include "truelux/isomesh.h"
 #include "truelux/picture.h"
 #include "truelux/render.h"
 #include "truelux/truelux.h"
@@ -82,5 +83,16 @@ int main() {
       truelux::ExtremaOf(oracle, "floor", {});
   failures += Expect(extrema.most > 1 && extrema.most < 1.1,
                      "ExtremaOf: the largest luminance");
+  truelux::IsoMeshOptions mesh;
+  mesh.contours = levels;
+  mesh.error = 0.1;
+  failures +=
+      Expect(!truelux::IsoMeshOf(oracle, "floor", mesh).triangles.empty(),
+             "IsoMeshOf: triangles");
+  style.false_colour = true;
+  failures += Expect(
+      truelux::PictureContoursOf(oracle, "floor", rendering.pixels.image, style)
+              .size() > 1,
+      "PictureContoursOf: lines");
   return failures;
 }

@@ -77,6 +77,9 @@ void MoveInwards(double margin, CutMesh& mesh) {
       const auto q = static_cast<std::size_t>(triangle.corners[(k + 2) % 3]);
       const PlanPoint way = mesh.points[q] - mesh.points[p];
       const double length = LengthOf(way);
+      // Lines that are as near as a rounding have corners that are rounded to
+      // one place; a side between them has no direction.
+      if (length == 0) continue;
       const PlanPoint left = {-way.t / length, way.s / length};
       for (const std::size_t end : {p, q}) {
         ++sides[end].count;

@@ -18,6 +18,9 @@
 #include <CGAL/Polyline_simplification_2/simplify.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 
+#include "isomesh/near_points.h"
+#include "isomesh/seam_pieces.h"
+
 namespace truelux {
 namespace {
 
@@ -39,47 +42,9 @@ PlanPoint PlanPointOf(const Point& p) {
   return {p.x(), p.y()};
 }
 
-/// Points that are alike or near, by their squares of a grid.
-class NearPoints {
- public:
-  explicit NearPoints(double distance) : distance_(distance) {}
-
-  void Add(const PlanPoint& p) { squares_[SquareOf(p)].push_back(p); }
-
-  /// The nearest one within the distance.
-  [[nodiscard]] const PlanPoint* NearestTo(const PlanPoint& p) const {
-    const PlanPoint* nearest = nullptr;
-    double least = distance_;
-    const auto [s, t] = SquareOf(p);
-    for (const double ds : {-1.0, 0.0, 1.0}) {
-      for (const double dt : {-1.0, 0.0, 1.0}) {
-        const auto square = squares_.find({s + ds, t + dt});
-        if (square == squares_.end()) continue;
-        for (const PlanPoint& other : square->second) {
-          const double length = LengthOf(other - p);
-          if (length > least) continue;
-          least = length;
-          nearest = &other;
-        }
-      }
-    }
-    return nearest;
-  }
-
- private:
-  [[nodiscard]] std::pair<double, double> SquareOf(const PlanPoint& p) const {
-    return {std::floor(p.s / distance_), std::floor(p.t / distance_)};
-  }
-
-  double distance_;
-  std::map<std::pair<double, double>, std::vector<PlanPoint>> squares_;
-};
-
-/// A contour's point on a seam, by its place along it.
-struct SeamPoint {
-  double along = 0;  ///< 0 .. 1
-  PlanPoint at;
-};
+/// Places are one if they are nearer, by the distance from corners: a 16th of
+/// the margin, so that what is moved stays on its side of a jump.
+constexpr double kAlike = 0x1p-24;
 
 /// The square of the distance by which a polyline changes without a vertex. No
 /// two vertices cost the same, so that the order does not depend on the places
@@ -98,20 +63,19 @@ struct OrderedCost {
 
 /// What an edge of the triangulation is of.
 struct Origin {
-  int seam = -1;
+  int piece = -1;
   int level = -1;
 };
 
 class EdgePlanner {
  public:
   EdgePlanner(std::span<const Seam> seams, const EdgeTolerances& tolerances)
-      : seams_(seams),
-        tolerances_(tolerances),
-        corners_(tolerances.corner),
-        on_seams_(seams.size()) {
-    for (const Seam& seam : seams) {
-      corners_.Add(seam.from);
-      corners_.Add(seam.to);
+      : tolerances_(tolerances),
+        pieces_(seams, kAlike * tolerances.corner),
+        corners_(tolerances.corner) {
+    for (const SeamPiece& piece : pieces_.pieces()) {
+      corners_.Add(piece.from);
+      corners_.Add(piece.to);
     }
   }
 
@@ -119,8 +83,8 @@ class EdgePlanner {
     std::vector<std::vector<Point>> paths;
     for (const ContourLine& contour : contours)
       paths.push_back(PathOf(contour));
-    for (std::size_t i = 0; i < seams_.size(); ++i)
-      InsertSeam(i);
+    for (std::size_t i = 0; i < pieces_.pieces().size(); ++i)
+      InsertPiece(i);
     for (auto vertex : plane_.finite_vertex_handles())
       vertex->set_removable(false);
     for (std::size_t i = 0; i < contours.size(); ++i) {
@@ -141,9 +105,18 @@ class EdgePlanner {
   /// A contour with its points on seams and in corners.
   std::vector<Point> PathOf(const ContourLine& contour) {
     std::vector<Point> path;
+    bool is_last_inside = false;
     for (const ContourPoint& point : contour.points) {
       const Point at = PointOf(PlaceOf(point));
-      if (path.empty() || path.back() != at) path.push_back(at);
+      const bool is_inside = point.seam < 0;
+      if (!path.empty() &&
+          pieces_.AreAlike(PlanPointOf(path.back()), PlanPointOf(at))) {
+        // What lies on a line stays there.
+        if (is_inside || path.back() == at) continue;
+        if (is_last_inside) path.pop_back();
+      }
+      path.push_back(at);
+      is_last_inside = is_inside;
     }
     if (contour.is_closed && path.size() > 1 && path.back() != path.front())
       path.push_back(path.front());
@@ -161,30 +134,17 @@ class EdgePlanner {
       return *corner;
     }
     if (point.seam < 0) return point.at;
-    const Seam& seam = seams_[static_cast<std::size_t>(point.seam)];
-    const PlanPoint way = seam.to - seam.from;
-    SeamPoint on;
-    on.along = Dot(point.at - seam.from, way) / Dot(way, way);
-    // Points beside jumps and outlines are the margin away from them.
-    on.at =
-        seam.kind == SideKind::kKink ? point.at : seam.from + on.along * way;
-    on_seams_[static_cast<std::size_t>(point.seam)].push_back(on);
-    return on.at;
+    return pieces_.Divide(point.seam, point.at);
   }
 
-  void InsertSeam(std::size_t i) {
-    auto& points = on_seams_[i];
-    std::ranges::sort(points, {}, &SeamPoint::along);
-    std::vector<Point> path = {PointOf(seams_[i].from)};
-    for (const SeamPoint& on : points) {
-      if (const Point at = PointOf(on.at); path.back() != at)
-        path.push_back(at);
+  void InsertPiece(std::size_t i) {
+    std::vector<Point> path;
+    for (const PlanPoint& p : pieces_.PathOf(i)) {
+      path.push_back(PointOf(p));
+      known_.insert({p.s, p.t});
     }
-    path.push_back(PointOf(seams_[i].to));
-    for (const Point& point : path)
-      known_.insert({point.x(), point.y()});
     const auto id = plane_.insert_constraint(path.begin(), path.end());
-    origins_[id].seam = static_cast<int>(i);
+    origins_[id].piece = static_cast<int>(i);
   }
 
   void CountCrossings() {
@@ -213,18 +173,19 @@ class EdgePlanner {
           edge.level = origin.level;
           continue;
         }
-        edge.seam = origin.seam;
-        edge.kind = seams_[static_cast<std::size_t>(origin.seam)].kind;
+        const SeamPiece& piece =
+            pieces_.pieces()[static_cast<std::size_t>(origin.piece)];
+        edge.seam = piece.seam;
+        edge.kind = piece.kind;
       }
     }
     for (const auto& [ends, edge] : edges)
       plan_.edges.push_back(edge);
   }
 
-  std::span<const Seam> seams_;
   EdgeTolerances tolerances_;
+  SeamPieces pieces_;
   NearPoints corners_;
-  std::vector<std::vector<SeamPoint>> on_seams_;
   std::set<std::pair<double, double>> known_;  ///< points put in
   Plane plane_;
   std::map<Plane::Constraint_id, Origin> origins_;

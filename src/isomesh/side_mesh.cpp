@@ -33,23 +33,18 @@ bool Holds(const std::array<PlanPoint, 3>& corners, const PlanPoint& p) {
   return true;
 }
 
-/// The outline alone.
-EdgePlan OutlinePlan(const Scene& scene, const SideSearch& side) {
-  EdgePlan plan;
-  std::map<int, int> names;
-  const auto name_of = [&](int vertex) {
-    const auto [entry, is_new] =
-        names.emplace(vertex, static_cast<int>(plan.points.size()));
-    if (is_new) {
-      const Vec3<double> at = side.plan().PlaceOf(
-          scene.vertices()[static_cast<std::size_t>(vertex)]);
-      plan.points.push_back({at.x, at.y});
-    }
-    return entry->second;
+/// The outline alone. Faces may meet with corners on each other's sides.
+EdgePlan OutlinePlan(const Scene& scene, const SideSearch& side,
+                     const EdgeTolerances& tolerances) {
+  const auto at = [&](int vertex) {
+    const Vec3<double> place =
+        side.plan().PlaceOf(scene.vertices()[static_cast<std::size_t>(vertex)]);
+    return PlanPoint{place.x, place.y};
   };
+  std::vector<Seam> seams;
   for (const auto& [a, b] : OutlineOf(scene, side.side().faces))
-    plan.edges.push_back({name_of(a), name_of(b), SideKind::kOutline, -1, -1});
-  return plan;
+    seams.push_back({at(a), at(b), SideKind::kOutline, -1});
+  return EdgePlanOf(seams, {}, tolerances);
 }
 
 class MeshMaker {
@@ -153,7 +148,7 @@ class MeshMaker {
 
   /// Makes the uniform mesh and measures it.
   void Compare(std::span<const LitPoint> sample, SideMesh& result) {
-    const EdgePlan outline = OutlinePlan(scene_, side_);
+    const EdgePlan outline = OutlinePlan(scene_, side_, wishes_.tolerances);
     const auto is_inside = [&](const PlanPoint& p) { return IsOnSurface(p); };
     const auto wanted = static_cast<double>(result.mesh.vertices.size());
     // As many vertices as squares of the length.

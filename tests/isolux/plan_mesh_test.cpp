@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include "isolux/cut_mesh.h"
 #include "isolux/lit_floor.h"
 #include "support/portable_random.h"
 
@@ -240,6 +241,18 @@ TEST(FirstMesh, OfFacesThatAreNoRectangle) {
   EXPECT_NEAR(AreaOf(floor.first().mesh), 6, 1e-8);
   EXPECT_NEAR(LengthOf(floor.first().mesh, SideKind::kOutline), 14, 1e-8);
   ExpectMatching(floor.first().mesh);
+}
+
+// Corners that are apart by less than a rounding are one place.
+TEST(MoveInwards, ASideWithoutALengthHasNoDirection) {
+  PlanTriangle triangle;
+  triangle.corners = {0, 1, 2};
+  triangle.neighbors = {-1, -1, -1};
+  CutMesh mesh =
+      CutApart(std::vector<PlanPoint>{{0, 0}, {1, 0}, {1, 0}}, {triangle});
+  MoveInwards(1e-10, mesh);
+  for (const PlanPoint& p : mesh.points)
+    EXPECT_TRUE(std::isfinite(p.s) && std::isfinite(p.t));
 }
 
 }  // namespace

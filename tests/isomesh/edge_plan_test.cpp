@@ -165,5 +165,37 @@ TEST(EdgePlan, ACrossingThatNobodyKnewIsCounted) {
   EXPECT_EQ(CrossingsOf(plan), 0);
 }
 
+// The mesher cannot divide what is as thin as a rounding.
+TEST(EdgePlan, WhatIsAlikeIsJoined) {
+  std::vector<Seam> seams =
+      RectangleSeams({-2, -2}, {2, 2}, SideKind::kOutline);
+  seams.push_back({{-1, 0}, {1, 0}, SideKind::kJump, 0});
+  // A kink beside it within rounding, longer and then shorter.
+  seams.push_back({{-1.5, 0x1p-52}, {0.5, -0x1p-53}, SideKind::kKink, 1});
+  std::vector<ContourLine> lines(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    // To the jump from both sides.
+    const double side = i == 0 ? 1 : -1;
+    lines[i].points.resize(2);
+    lines[i].points[0].at = {0.25, side};
+    lines[i].points[1].at = {0.25 + side * 0x1p-50, side * 1e-10};
+    lines[i].points[1].seam = 4;
+  }
+  const EdgePlan plan = EdgePlanOf(seams, lines, {1e-3, 1e-5});
+  // The square, -1.5, -1, 0.5 and 1 on the jump, and the contours.
+  EXPECT_EQ(plan.points.size(), 4U + 4 + 3);
+  EXPECT_EQ(plan.crossings, 0);
+  EXPECT_EQ(CrossingsOf(plan), 0);
+  double of_jump = 0;
+  double of_kink = 0;
+  for (const PlanEdge& edge : plan.edges) {
+    if (edge.seam == 4) of_jump += LengthOf(plan, edge);
+    if (edge.seam == 5) of_kink += LengthOf(plan, edge);
+    EXPECT_GT(LengthOf(plan, edge), 0.1);
+  }
+  EXPECT_NEAR(of_jump, 2, 1e-12);
+  EXPECT_NEAR(of_kink, 0.5, 1e-12);
+}
+
 }  // namespace
 }  // namespace truelux

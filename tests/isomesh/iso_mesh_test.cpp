@@ -290,6 +290,71 @@ TEST(IsoMesh, ASurfaceWithoutLightIsTriangulated) {
     EXPECT_EQ(vertex.value, 0);
 }
 
+// E is alike on both sides, and so are the places where contours end.
+TEST(IsoMesh, AWallInThePlaneOfSymmetry) {
+  const Scene scene = NamedFloor(
+      2, {{{{-0.5, -0.5, 2}, {-0.5, 0.5, 2}, {0.5, 0.5, 2}, {0.5, -0.5, 2}},
+           {1, 1, 1}},
+          {{{-1, 0, 0}, {1, 0, 0}, {1, 0, 1}, {-1, 0, 1}}, {}}});
+  const IsoMesh mesh = MeshOf(scene);
+  double area = 0;
+  for (const IsoMeshTriangle& triangle : mesh.triangles)
+    area += AreaOf(mesh, triangle);
+  EXPECT_NEAR(area, 16, 1e-9);
+}
+
+// Lines that cross within a rounding of their ends have corners that are rounded
+// to one place.
+TEST(IsoMesh, WallsThatAreAlikeWithinRounding) {
+  const double turn = 1e-9;
+  std::vector<TestFace> above = {
+      {{{-0.5, -0.5, 2}, {-0.5, 0.5, 2}, {0.5, 0.5, 2}, {0.5, -0.5, 2}},
+       {1, 1, 1}}};
+  AddBox(0.5, 1.2, -0.4, 0.5, 0, 0.6, above);
+  AddBox(1.2, 1.5, -0.4, 0.2, 0, 0.4, above);
+  AddBox(-1, -0.4, -0.4, 0.5, 0, 0.6, above);
+  above.push_back(
+      {{{-1.5, -0.4, 0}, {-0.5, -0.4, 0}, {-0.5, -0.4, 0.3}, {-1.5, -0.4, 0.3}},
+       {}});
+  for (std::size_t i = 1; i < above.size(); ++i) {
+    for (Point3& p : above[i].ring) {
+      p = {std::cos(turn) * p.x - std::sin(turn) * p.y,
+           std::sin(turn) * p.x + std::cos(turn) * p.y, p.z};
+    }
+  }
+  // Walls that are apart by a little more have many triangles in between.
+  IsoMeshOptions options;
+  options.contours.count = 3;
+  options.most_vertices = 2000;
+  const IsoMesh mesh =
+      IsoMeshOf(Oracle(NamedFloor(2, above)), "floor", options);
+  double area = 0;
+  for (const IsoMeshTriangle& triangle : mesh.triangles)
+    area += AreaOf(mesh, triangle);
+  EXPECT_NEAR(area, 16, 1e-9);
+}
+
+// The corner of one is within the side of the other, and no edge goes on from
+// there.
+TEST(IsoMesh, FacesThatMeetWithinASide) {
+  SceneBuilder builder("scene");
+  builder.SetGroup("floor");
+  builder.AddFace(Floor(-2, 2, -2, 0, 0));
+  builder.AddFace(Floor(-2, 0, 0, 2, 0));
+  builder.SetGroup("rest");
+  builder.AddFace(
+      {{-0.5, -0.5, 2}, {-0.5, 0.5, 2}, {0.5, 0.5, 2}, {0.5, -0.5, 2}},
+      {1, 1, 1});
+  const Result<Scene> scene = builder.Build();
+  ASSERT_TRUE(scene.ok());
+  const IsoMesh mesh = MeshOf(*scene.value);
+  double area = 0;
+  for (const IsoMeshTriangle& triangle : mesh.triangles)
+    area += AreaOf(mesh, triangle);
+  EXPECT_NEAR(area, 12, 1e-9);
+  EXPECT_GT(mesh.uniform_vertices, 10U);
+}
+
 TEST(IsoMesh, RefusesWhatMakesNoSense) {
   const Scene scene = BoxScene();
   IsoMeshOptions options;

@@ -199,10 +199,16 @@ class RefinedPlane::Plane {
               const StopFlag* stop) {
     CGAL::Delaunay_mesher_2<Delaunay, Criteria> mesher(delaunay_, criteria);
     mesher.init(true);
+    // What is as thin as a rounding cannot be divided: the mesher would try it
+    // for ever.
+    std::size_t idle = 0;
     while (!mesher.is_refinement_done() &&
-           delaunay_.number_of_vertices() < most_points) {
+           delaunay_.number_of_vertices() < most_points &&
+           idle <= 2 * delaunay_.number_of_faces()) {
       StopIfAsked(stop);
+      const std::size_t before = delaunay_.number_of_vertices();
       mesher.try_one_step_refine_mesh();
+      idle = delaunay_.number_of_vertices() > before ? 0 : idle + 1;
     }
     // The mesher does not name its points.
     for (const VertexHandle vertex : delaunay_.finite_vertex_handles()) {

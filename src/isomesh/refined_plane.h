@@ -44,8 +44,9 @@ class RefinedPlane {
   RefinedPlane(const RefinedPlane&) = delete;
   RefinedPlane& operator=(const RefinedPlane&) = delete;
 
-  /// Divides triangles until none of these is left, the largest numbers first.
-  /// Ends at so many points. Throws Stopped.
+  /// Divides triangles until none of these is left, the largest numbers first, but
+  /// for those that are as thin as a rounding. Ends at so many points. Throws
+  /// Stopped.
   void Divide(const std::map<Corners, double>& triangles,
               std::size_t most_points, const StopFlag* stop);
 

@@ -89,7 +89,7 @@ class MeshMaker {
   /// Divides triangles with too large an error. Returns how many are left.
   std::size_t Refine(RefinedPlane& plane) {
     std::map<Corners, double> errors;  // of triangles that were looked at
-    for (;;) {
+    for (std::size_t points = 0;;) {
       const SharedMesh shared = plane.Mesh();
       const LightMesh mesh = Lit(shared);
       Look(shared, mesh, errors);
@@ -105,8 +105,12 @@ class MeshMaker {
           bad[corners] = error;
         }
       }
-      if (bad.empty() || plane.point_count() >= wishes_.most_vertices)
+      // If the last round has divided none of them, no other one will.
+      if (bad.empty() || plane.point_count() >= wishes_.most_vertices ||
+          plane.point_count() == points) {
         return small + bad.size();
+      }
+      points = plane.point_count();
       plane.Divide(bad, wishes_.most_vertices, watch_.stop);
     }
   }

@@ -51,8 +51,9 @@ struct SurfaceLine {
   /// 2 b m, m the unit normal of the plane through the edges. It may pass
   /// through 0 there.
   Rgb size{};
-  /// Of a jump: E in the middle [W/m^2], 2^-36 of the surface's size to the left
-  /// and to the right of the way from end to end, as seen from the lit side.
+  /// Of a jump: E in the middle [W/m^2], 2^-36 of the surface's size (at least
+  /// 2^-48 of the coordinates) to the left and to the right of the way from end
+  /// to end, as seen from the lit side.
   Rgb left{};
   Rgb right{};
 };
@@ -152,8 +153,8 @@ struct Isolux {
   /// The surface's outline, walls or not, each of its sides once.
   std::vector<std::array<Point3, 2>> outline;
   /// What was not found lies in these triangles; all other parts of the surface
-  /// (but for a margin of 2^-36 of its size along outlines and jumps) have the
-  /// contours that are listed and no others.
+  /// (but for a margin of 2^-36 of its size, at least 2^-48 of the coordinates,
+  /// along outlines and jumps) have the contours that are listed and no others.
   /// Where E is constant and is a level, there are no contours but open
   /// triangles.
   std::vector<OpenTriangle> open;

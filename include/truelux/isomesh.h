@@ -40,9 +40,11 @@ enum class MeshSide : unsigned char {
 struct IsoMeshVertex {
   Point3 at;
   /// E [W/m^2], certified as Oracle::Evaluate has it. At an outline or a jump
-  /// the receiver is 2^-36 of the surface's size beside it, in the triangles
-  /// that have the vertex; at the end of a jump, where E depends on the
-  /// direction, 2^-32 away in the one triangle that has it.
+  /// the receiver is 2^-36 of the surface's size beside it (at least 2^-48 of
+  /// the coordinates), in the triangles that have the vertex. At the end of a
+  /// jump E depends on the direction: if it differs by more than the error that
+  /// was asked for, each triangle has its own vertex, with E at 16 times that
+  /// distance into the triangle.
   Rgb irradiance{};
   double value = 0;  ///< what contours are of [W/m^2]
 };

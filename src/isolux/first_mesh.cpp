@@ -248,7 +248,15 @@ class MeshMaker {
     }
     if (points_.empty()) return;
     scale.size = std::max(most.s - least.s, most.t - least.t);
-    scale.margin = PlanScale::kMargin * scale.size;
+    constexpr double kOfSize = 0x1p-36;
+    constexpr double kOfCoordinates = 0x1p-48;
+    double largest = 0;
+    for (const PlanPoint& p : points_) {
+      const Point3 at = plan_.PointAt(p);
+      for (const double x : {at.x, at.y, at.z})
+        largest = std::max(largest, std::fabs(x));
+    }
+    scale.margin = std::max(kOfSize * scale.size, kOfCoordinates * largest);
   }
 
   /// Drops triangles that rounding or the margin has turned over.

@@ -18,11 +18,11 @@ namespace truelux {
 
 /// Distances along a surface that have to do with its size.
 struct PlanScale {
-  double size = 0;    ///< the longer side of the extent [length]
-  double margin = 0;  ///< how far outlines and jumps are kept away
-
-  /// 2^-36 of the size.
-  static constexpr double kMargin = 0x1p-36;
+  double size = 0;  ///< the longer side of the extent [length]
+  /// How far outlines and jumps are kept away: 2^-36 of the size, and at least
+  /// 2^-48 of the largest coordinate in the scene's frame. A receiver is rounded by
+  /// less than a quarter of that, so that it stays on its side.
+  double margin = 0;
 };
 
 /// A line at which triangles end, from corner to corner.

@@ -73,7 +73,7 @@ class IsoluxFinder {
     result_.up = prepared_.sides.front()->plan().VectorOf({0, 1});
     for (const auto& side : prepared_.sides) {
       for (SurfaceLine& line :
-           ShownLines(oracle_, side->side(), side->first().scale.size))
+           ShownLines(oracle_, side->side(), side->first().scale.margin))
         result_.lines.lines.push_back(std::move(line));
       result_.lines.is_complete =
           result_.lines.is_complete && side->side().lines.is_complete;
@@ -216,9 +216,9 @@ SurfaceLines FindSurfaceLines(const Oracle& oracle, const std::string& surface,
   SurfaceLines result;
   result.notes = std::move(named.notes);
   for (const SurfaceSide& side : SidesOf(scene, named.frame, planes, watch)) {
-    const double size =
-        FirstMeshOf(scene, side.plan, side.faces, {}).scale.size;
-    for (SurfaceLine& line : ShownLines(oracle, side, size))
+    const double margin =
+        FirstMeshOf(scene, side.plan, side.faces, {}).scale.margin;
+    for (SurfaceLine& line : ShownLines(oracle, side, margin))
       result.lines.push_back(std::move(line));
     result.is_complete = result.is_complete && side.lines.is_complete;
   }

@@ -43,7 +43,7 @@ std::vector<SurfaceSide> SidesOf(const Scene& scene, const SurfaceFrame& frame,
 }
 
 std::vector<SurfaceLine> ShownLines(const Oracle& oracle,
-                                    const SurfaceSide& side, double size) {
+                                    const SurfaceSide& side, double aside) {
   std::vector<SurfaceLine> shown;
   for (const ExactSurfaceLine& exact : side.lines.lines) {
     SurfaceLine& line = shown.emplace_back();
@@ -56,8 +56,7 @@ std::vector<SurfaceLine> ShownLines(const Oracle& oracle,
       for (double& b : line.size)
         b *= std::numbers::pi;
     }
-    if (exact.is_jump)
-      SetSides(oracle, side.plan, PlanScale::kMargin * size, line);
+    if (exact.is_jump) SetSides(oracle, side.plan, aside, line);
   }
   return shown;
 }

@@ -31,9 +31,10 @@ struct SurfaceSide {
 std::vector<SurfaceSide> SidesOf(const Scene& scene, const SurfaceFrame& frame,
                                  const EdgePlanes& planes, const Watch& watch);
 
-/// The lines of a side for the user, with E beside jumps. size: of the surface.
+/// The lines of a side for the user, with E beside jumps. aside: how far
+/// [length].
 std::vector<SurfaceLine> ShownLines(const Oracle& oracle,
-                                    const SurfaceSide& side, double size);
+                                    const SurfaceSide& side, double aside);
 
 }  // namespace truelux
 

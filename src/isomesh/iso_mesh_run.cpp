@@ -57,7 +57,8 @@ double LeastAngleOf(const LightMesh& mesh, const PlanTriangle& triangle) {
     const PlanPoint v = at(k + 2) - at(k);
     least = std::min(least, std::atan2(Cross(u, v), Dot(u, v)));
   }
-  return least * 180 / std::numbers::pi;
+  // Of a sliver within rounding the sign means nothing.
+  return std::max(0.0, least) * 180 / std::numbers::pi;
 }
 
 /// The larger ones.
@@ -88,7 +89,7 @@ class IsoMeshFinder {
     wishes.most_vertices =
         options_.most_vertices > 0 ? options_.most_vertices : kMostVertices;
     mesh_.error = wishes.error;
-    mesh_.least_angle = 180;
+    mesh_.least_angle = 180;  // of no triangle
     for (std::size_t i = 0; i < traced.lines.size(); ++i) {
       const SideSearch& side = *traced.prepared.sides[i];
       const std::uint64_t before = side.probe().count();

@@ -204,5 +204,45 @@ TEST(IsoluxScenes, ThePinwheel) {
   ExpectNoneIsMissing(oracle, isolux, grid, FlatXY, at, 2);
 }
 
+// Coordinates of maps have few bits left for what is small.
+TEST(IsoluxScenes, FarFromTheOrigin) {
+  const auto found = [](double offset) {
+    const auto moved = [&](std::vector<Point3> ring) {
+      for (Point3& p : ring)
+        p = {p.x + offset, p.y + offset, p.z + offset};
+      return ring;
+    };
+    SceneBuilder builder("scene");
+    builder.SetGroup("floor");
+    builder.AddFace(moved(Floor(-2, 2, -2, 2, 0)));
+    builder.SetGroup("rest");
+    builder.AddFace(
+        moved({{-0.5, -0.5, 2}, {-0.5, 0.5, 2}, {0.5, 0.5, 2}, {0.5, -0.5, 2}}),
+        {10, 10, 10});
+    builder.AddFace(
+        moved({{-1, 0.125, 0}, {1, 0.5, 0}, {1, 0.5, 1}, {-1, 0.125, 1}}));
+    const Result<Scene> scene = builder.Build();
+    IsoluxOptions options;
+    options.levels = {0.2, 0.4};
+    options.smallest = 1e-3;
+    return FloorIsolux(*scene.value, options);
+  };
+  const Isolux near = found(0);
+  const Isolux far = found(1 << 20);
+  EXPECT_GT(near.contours.size(), 1U);
+  EXPECT_EQ(far.contours.size(), near.contours.size());
+  ASSERT_EQ(far.lines.lines.size(), near.lines.lines.size());
+  bool has_jump = false;
+  for (std::size_t i = 0; i < near.lines.lines.size(); ++i) {
+    const SurfaceLine& line = near.lines.lines[i];
+    if (line.kind != SurfaceLineKind::kJump) continue;
+    has_jump = true;
+    EXPECT_GT(std::fabs(line.left[0] - line.right[0]), 0.1);
+    EXPECT_NEAR(far.lines.lines[i].left[0], line.left[0], 1e-6);
+    EXPECT_NEAR(far.lines.lines[i].right[0], line.right[0], 1e-6);
+  }
+  EXPECT_TRUE(has_jump);
+}
+
 }  // namespace
 }  // namespace truelux

@@ -91,7 +91,7 @@ struct Rendering {
 
 /// The contours that PictureOf draws on a false-colour picture of a surface, at
 /// the ticks of its scale. Each vertex is certified within a fifth of a pixel;
-/// lines that go around fewer than nine pixels may be missed (isolux.h proves
+/// closed lines smaller than about nine pixels may be missed (isolux.h proves
 /// which there are). They are of the surface's own faces. image, style: as
 /// PictureOf takes them, image as Render has it for this surface. Throws as
 /// Render does.

@@ -17,10 +17,10 @@
 namespace truelux {
 
 /// Contours of a surface, as IsoluxOf has them, found by values at points that
-/// are about `spacing` apart near the lines and six times as far elsewhere
-/// [length]: what is smaller may be missed. Vertices are certified within an
-/// eighth of the spacing. Lines end at faces that stand on the surface. Costs as
-/// much as so many values, whatever the scene. levels: ascending, above 0.
+/// are about `spacing` apart near the lines and three times as far elsewhere
+/// [length]: what is smaller may be missed. Vertices are certified within a
+/// sixteenth of the spacing. Lines end at faces that stand on the surface. Costs
+/// as much as so many values, whatever the scene. levels: ascending, above 0.
 /// Throws as IsoluxOf does.
 std::vector<IsoluxContour> QuickContoursOf(const Oracle& oracle,
                                            const std::string& surface,

@@ -98,7 +98,7 @@ class Tracer {
     const std::array<int, 2> beside = {found.triangle, t.neighbors[found.side]};
     const auto in_region = [&](const PlanPoint& point) {
       return std::ranges::any_of(beside, [&](int triangle) {
-        return triangle >= 0 && Holds(triangle, point);
+        return triangle >= 0 && mesh_.Holds(triangle, point);
       });
     };
     for (std::size_t k = 0; k < found.count; ++k) {
@@ -154,14 +154,6 @@ class Tracer {
  private:
   [[nodiscard]] const LightValue& ValueAt(int point) const {
     return search_.values()[static_cast<std::size_t>(point)];
-  }
-
-  [[nodiscard]] bool Holds(int triangle, const PlanPoint& point) const {
-    const auto c = mesh_.CornersOf(triangle);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (Turn(c[k], c[(k + 1) % 3], point) < 0) return false;
-    }
-    return true;
   }
 
   void AddLink(std::size_t level, CrossedTriangle& crossed) {

@@ -54,6 +54,14 @@ std::size_t PlanMesh::LongestOf(const PlanTriangle& triangle) const {
   return longest;
 }
 
+bool PlanMesh::Holds(int triangle, const PlanPoint& p) const {
+  const auto c = CornersOf(triangle);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (Cross(c[(k + 1) % 3] - c[k], p - c[k]) < 0) return false;
+  }
+  return true;
+}
+
 int PlanMesh::SideTowards(int triangle, int neighbor) const {
   const auto& neighbors = At(triangle).neighbors;
   for (int k = 0; k < 3; ++k) {

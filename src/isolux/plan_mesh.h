@@ -58,6 +58,9 @@ class PlanMesh {
 
   [[nodiscard]] double AreaOf(int triangle) const;
 
+  /// Whether a point is in a triangle or on its sides, within rounding.
+  [[nodiscard]] bool Holds(int triangle, const PlanPoint& p) const;
+
   /// Halves a triangle across its longest side, and others before it until
   /// their sides match (Rivara 1984): angles stay above half of the least there
   /// was. Calls changed(i, j) for each triangle i that became i and a new j.

@@ -131,15 +131,13 @@ class IsoMeshFinder {
     mesh_.vertices.resize(first + receivers.size());
     mesh_.evaluations += receivers.size();
     Progress progress(receivers.size(), "vertices", watch_);
-    WithThreads(options_.contours.threads, [&] {
-      EvaluateShares(oracle_, receivers, progress,
-                     [&](std::size_t i, const Irradiance& irradiance) {
-                       IsoMeshVertex& vertex = mesh_.vertices[first + i];
-                       vertex.at = plan.PointAt(mesh.vertices[i].at);
-                       vertex.irradiance = irradiance.value;
-                       vertex.value = mesh.vertices[i].value;
-                     });
-    });
+    EvaluateInParallel(oracle_, receivers, options_.contours.threads, progress,
+                       [&](std::size_t i, const Irradiance& irradiance) {
+                         IsoMeshVertex& vertex = mesh_.vertices[first + i];
+                         vertex.at = plan.PointAt(mesh.vertices[i].at);
+                         vertex.irradiance = irradiance.value;
+                         vertex.value = mesh.vertices[i].value;
+                       });
   }
 
   const Oracle& oracle_;

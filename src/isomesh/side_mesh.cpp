@@ -25,14 +25,6 @@ constexpr std::array<std::array<double, 3>, 3> kChecks = {
      {1.0 / 6, 2.0 / 3, 1.0 / 6},
      {1.0 / 6, 1.0 / 6, 2.0 / 3}}};
 
-bool Holds(const std::array<PlanPoint, 3>& corners, const PlanPoint& p) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (Cross(corners[(k + 1) % 3] - corners[k], p - corners[k]) < 0)
-      return false;
-  }
-  return true;
-}
-
 /// The outline alone. Faces may meet with corners on each other's sides.
 EdgePlan OutlinePlan(const Scene& scene, const SideSearch& side,
                      const EdgeTolerances& tolerances) {
@@ -62,8 +54,7 @@ class MeshMaker {
     result.plan = EdgePlanOf(side_.first().seams, contours, wishes_.tolerances);
     RefinedPlane plane(result.plan,
                        [&](const PlanPoint& p) { return IsOnSurface(p); });
-    result.unfinished = Refine(plane);
-    result.mesh = Lit(plane.Mesh());
+    Refine(plane, result);
     const std::vector<LitPoint> sample =
         SampleOf(side_.probe(), side_.first().mesh, kSample, threads_, watch_);
     result.interpolation =
@@ -76,7 +67,7 @@ class MeshMaker {
   [[nodiscard]] bool IsOnSurface(const PlanPoint& p) const {
     const PlanMesh& mesh = side_.first().mesh;
     for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
-      if (Holds(mesh.CornersOf(static_cast<int>(i)), p)) return true;
+      if (mesh.Holds(static_cast<int>(i), p)) return true;
     }
     return false;
   }
@@ -86,12 +77,12 @@ class MeshMaker {
                        wishes_.error, known_, threads_, watch_);
   }
 
-  /// Divides triangles with too large an error. Returns how many are left.
-  std::size_t Refine(RefinedPlane& plane) {
+  /// Divides triangles with too large an error, and takes what becomes of them.
+  void Refine(RefinedPlane& plane, SideMesh& result) {
     std::map<Corners, double> errors;  // of triangles that were looked at
     for (std::size_t points = 0;;) {
       const SharedMesh shared = plane.Mesh();
-      const LightMesh mesh = Lit(shared);
+      LightMesh mesh = Lit(shared);
       Look(shared, mesh, errors);
       std::map<Corners, double> bad;
       std::size_t small = 0;
@@ -108,7 +99,9 @@ class MeshMaker {
       // If the last round has divided none of them, no other one will.
       if (bad.empty() || plane.point_count() >= wishes_.most_vertices ||
           plane.point_count() == points) {
-        return small + bad.size();
+        result.mesh = std::move(mesh);
+        result.unfinished = small + bad.size();
+        return;
       }
       points = plane.point_count();
       plane.Divide(bad, wishes_.most_vertices, watch_.stop);

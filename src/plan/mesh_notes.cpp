@@ -3,17 +3,11 @@
 
 #include <cstddef>
 #include <fmt/format.h>
-#include <string_view>
 
 #include "plan/plan_notes.h"
 
 namespace truelux {
 namespace {
-
-std::string Counted(std::size_t count, std::string_view one,
-                    std::string_view more) {
-  return fmt::format("{} {}", count, count == 1 ? one : more);
-}
 
 std::string ErrorText(const InterpolationError& error) {
   return fmt::format("{} at most, {} in 99 % of the points, {} on the average",

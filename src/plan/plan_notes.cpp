@@ -11,10 +11,6 @@
 namespace truelux {
 namespace {
 
-std::string Counted(std::size_t count, std::string_view thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
 /// What vertices and chords have in common.
 struct LineCounts {
   std::size_t vertices = 0;
@@ -49,12 +45,11 @@ LineCounts CountsOf(const Isolux& isolux) {
 }
 
 std::string ContourNote(const Isolux& isolux, const LineCounts& counts) {
-  std::string text =
-      fmt::format("{} at {}, ", Counted(isolux.contours.size(), "contour"),
-                  Counted(isolux.levels.size(), "level"));
+  std::string text = fmt::format(
+      "{} at {}, ", Counted(isolux.contours.size(), "contour", "contours"),
+      Counted(isolux.levels.size(), "level", "levels"));
   if (counts.vertices == 0) return text + "no vertices";
-  text += counts.vertices == 1 ? "1 vertex"
-                               : fmt::format("{} vertices", counts.vertices);
+  text += Counted(counts.vertices, "vertex", "vertices");
   if (counts.uncertified == counts.vertices)
     return text + ", none of them certified";
   const std::string within =
@@ -76,7 +71,7 @@ std::string OpenNote(const Isolux& isolux) {
   }
   return fmt::format(
       "{} ({} of the surface) {} open: contours that were not found lie there",
-      Counted(isolux.open.size(), "triangle"),
+      Counted(isolux.open.size(), "triangle", "triangles"),
       ShareText(isolux.open_area, isolux.area),
       isolux.open.size() == 1 ? "is" : "are");
 }
@@ -87,11 +82,17 @@ std::string ChordNote(const LineCounts& counts) {
                   counts.unknown == 0 ? "their chords" : "the other chords");
   if (counts.unknown == 0) return known;
   return fmt::format("for {} of {} it is not known how far the contour is",
-                     counts.unknown, Counted(counts.chords, "chord")) +
+                     counts.unknown,
+                     Counted(counts.chords, "chord", "chords")) +
          (counts.unknown == counts.chords ? "" : "; " + known);
 }
 
 }  // namespace
+
+std::string Counted(std::size_t count, std::string_view one,
+                    std::string_view more) {
+  return fmt::format("{} {}", count, count == 1 ? one : more);
+}
 
 std::string ShortNumber(double value) {
   constexpr double kPlainFrom = 99.5;  // no 1e+02
@@ -178,9 +179,10 @@ std::vector<std::string> LineNotes(const SurfaceLines& lines) {
   const auto jumps = static_cast<std::size_t>(
       std::ranges::count(lines.lines, SurfaceLineKind::kJump,
                          [](const SurfaceLine& line) { return line.kind; }));
-  std::vector<std::string> notes = {fmt::format(
-      "{} where irradiance may jump, {} where its gradient does",
-      Counted(jumps, "line"), Counted(lines.lines.size() - jumps, "line"))};
+  std::vector<std::string> notes = {
+      fmt::format("{} where irradiance may jump, {} where its gradient does",
+                  Counted(jumps, "line", "lines"),
+                  Counted(lines.lines.size() - jumps, "line", "lines"))};
   if (!lines.is_complete) {
     notes.emplace_back(
         "the scene has too many edges to look at all pairs of them: lines "

@@ -4,7 +4,9 @@
 #ifndef TRUELUX_PLAN_PLAN_NOTES_H_
 #define TRUELUX_PLAN_PLAN_NOTES_H_
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "truelux/isolux.h"
@@ -24,6 +26,10 @@ namespace truelux {
 
 /// How often irradiance was asked for.
 [[nodiscard]] std::string WorkNote(const Isolux& isolux);
+
+/// "1 vertex", "12 vertices".
+[[nodiscard]] std::string Counted(std::size_t count, std::string_view one,
+                                  std::string_view more);
 
 /// "12", "0.034", "6.7e-07": a number for people, with a few digits.
 [[nodiscard]] std::string ShortNumber(double value);

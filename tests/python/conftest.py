@@ -41,6 +41,25 @@ def grid():
     return np.stack([x, y, 0 * x], axis=-1)
 
 
+@pytest.fixture
+def progress_units(monkeypatch):
+    """What progress counts, by a bar in tqdm's place."""
+    units = set()
+
+    class Bar:
+        def __init__(self, total, unit):
+            self.total, self.unit, self.n = total, unit, 0
+
+        def update(self, count):
+            units.add(self.unit)
+
+        def close(self):
+            pass
+
+    monkeypatch.setattr("truelux.progress._tqdm", lambda: Bar)
+    return units
+
+
 UP = np.array([0.0, 0.0, 1.0])
 
 

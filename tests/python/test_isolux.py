@@ -70,34 +70,21 @@ def test_contours_of_a_square_lamp_are_closed():
     assert 0 < isolux.least < 0.1 and 0.2 < isolux.most <= middle
 
 
-def test_threads_and_progress_change_nothing(monkeypatch):
-    class Bar:
-        units = set()
-
-        def __init__(self, total, unit):
-            self.total, self.unit, self.n = total, unit, 0
-
-        def update(self, count):
-            Bar.units.add(self.unit)
-
-        def close(self):
-            pass
-
-    monkeypatch.setattr("truelux.progress._tqdm", lambda: Bar)
+def test_threads_and_progress_change_nothing(progress_units):
     oracle = room(WALL)
     one = oracle.isolux("floor", count=3, threads=1)
     two = oracle.isolux("floor", count=3, threads=3, progress=True)
-    assert Bar.units
+    assert progress_units
     assert len(one.levels) == 3 and len(one.contours) == len(two.contours) > 0
     for a, b in zip(one.contours, two.contours):
         for x, y in zip(a, b):
             np.testing.assert_array_equal(x, y)
     np.testing.assert_array_equal(one.open, two.open)
-    Bar.units = set()
+    progress_units.clear()
     oracle = room()
     mine = oracle.extrema("floor", threads=1)
     its = oracle.extrema("floor", threads=3, progress=True)
-    assert Bar.units
+    assert progress_units
     for name in ("kind", "at", "value", "range", "radius", "on"):
         np.testing.assert_array_equal(getattr(mine, name), getattr(its, name))
 

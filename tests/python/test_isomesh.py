@@ -230,24 +230,11 @@ def test_channels_of_a_coloured_lamp():
             mesh.irradiance, mesh.irradiance[:, :1] * [1, 0.5, 0.25], rtol=1e-14)
 
 
-def test_threads_and_progress_change_nothing(monkeypatch):
-    class Bar:
-        units = set()
-
-        def __init__(self, total, unit):
-            self.total, self.unit, self.n = total, unit, 0
-
-        def update(self, count):
-            Bar.units.add(self.unit)
-
-        def close(self):
-            pass
-
-    monkeypatch.setattr("truelux.progress._tqdm", lambda: Bar)
+def test_threads_and_progress_change_nothing(progress_units):
     oracle = room(*box())
     one = oracle.iso_mesh("floor", count=3, threads=1)
     two = oracle.iso_mesh("floor", count=3, threads=2, progress=True)
-    assert {"vertices", "triangles"} <= Bar.units
+    assert {"vertices", "triangles"} <= progress_units
     for field in dataclasses.fields(one):
         a, b = getattr(one, field.name), getattr(two, field.name)
         if field.name in ARRAYS:
